@@ -12,11 +12,13 @@ import unittest
 import yaml
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import bitstream, file_lists, rtl_files
+from dynrt_tools.hardware import bitstream, file_lists, placers, rtl_files
 
 ROOT = project.ROOT
 # Filesets of Verilog that is written by hand; the board's has its display too.
-BY_HAND = "library registers board port_board bus examples sdram link display ulx3s".split()
+BY_HAND = (
+    "library registers board scan_out port_board bus examples sdram link display ulx3s".split()
+)
 BY_HAND += ["serial", "arty", "arty_controller"]
 BESIDE_CORES = ["link16", "link8"]  # and what the filesets sdram and display have
 # Files of constraints with pins, and how they give a pin its site.
@@ -57,17 +59,24 @@ class CoreFile(testing.InFolder):
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
 
     def test_the_cores_behind_a_port_are_listed_too(self) -> None:
-        # One that a bus joins to its memory has no display.
-        for fileset, name, without in (
-            ("port_core", "fast_port", "scan_out.v"),
-            ("ulx3s_core", "fast_ulx3s", ""),
+        # One that a bus joins to its memory has no display, so that is a fileset of its own.
+        for filesets, name in (
+            (["port_core", "port_scan_out"], "fast_port"),
+            (["ulx3s_core"], "fast_ulx3s"),
         ):
             there = rtl_files.units_in(rtl_files.ALL_GENERATED / name)
             self.assertGreater(len(there), 25)
             self.assertEqual(
-                sorted(self.files(fileset)),
-                [p.relative_to(ROOT).as_posix() for p in there if p.name != without],
+                sorted(self.files(*filesets)), [p.relative_to(ROOT).as_posix() for p in there]
             )
+
+    def test_every_constraint_is_of_a_target(self) -> None:
+        # But for those that scripts/place measures with.
+        listed = {f for t in self.core["targets"].values() for f in self.files(*t["filesets"])}
+        there = [p for p in placers.CONSTRAINTS.iterdir() if not p.name.startswith("place_")]
+        self.assertGreater(len(there), 3)
+        for path in there:
+            self.assertIn(path.relative_to(ROOT).as_posix(), listed)
 
     def test_every_file_is_there(self) -> None:
         for name in self.files(*self.core["filesets"]):

@@ -48,10 +48,10 @@ class Texts(unittest.TestCase):
 
     def test_the_constraints_ask_for_no_clock(self) -> None:
         for device in placers.PLACERS:
-            statements = [
-                line.partition("#")[0] for line in placers.constraints_text(device).splitlines()
-            ]
-            self.assertNotIn("FREQUENCY", " ".join(statements))
+            stated = placers.constraints_text(device)
+            self.assertIn("clk_i", stated)
+            self.assertNotIn("#", stated)
+            self.assertNotIn("FREQUENCY", stated)
 
     def script(self, *args: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(

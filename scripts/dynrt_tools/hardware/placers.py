@@ -28,14 +28,14 @@ class Placer(TypedDict):
     grades: tuple[str, ...]  # speed grades, the default first
 
 
-# The wrapper has four pins, so any package will do; that of ECP5 is the board's.
+# The wrapper has four pins, so any package will do.
 PLACERS: dict[str, Placer] = {
     "ice40-hx8k": {
         "program": "nextpnr-ice40",
         "cell": "ICESTORM_LC",
         "where": "Debian's package nextpnr-ice40 has it, and scripts/setup installs that",
         "flags": ["--hx8k", "--package", "ct256"],
-        "constraints": ("--pcf", "ice40_hx8k_evn.pcf"),
+        "constraints": ("--pcf", "place_ice40.pcf"),
         "grades": (),
     },
     "ecp5-85": {
@@ -45,7 +45,7 @@ PLACERS: dict[str, Placer] = {
         # By the timing weight, the first seed of one netlist of the core reached 108 MHz with 25, 127
         # with 60 and 121 with 100; the placer's own is 10.
         "flags": ["--85k", "--package", "CABGA381", "--placer-heap-timingweight", "60"],
-        "constraints": ("--lpf", "ulx3s_85f.lpf"),
+        "constraints": ("--lpf", "place_ecp5.lpf"),
         "grades": ("6", "7", "8"),
     },
 }
@@ -102,7 +102,10 @@ def flags(device: str, grade: str) -> list[str]:
 
 
 def constraints_text(device: str) -> str:
-    return (CONSTRAINTS / PLACERS[device]["constraints"][1]).read_text(encoding="utf-8")
+    """What the constraints state, without comments."""
+    text = (CONSTRAINTS / PLACERS[device]["constraints"][1]).read_text(encoding="utf-8")
+    stated = (line.partition("#")[0].strip() for line in text.splitlines())
+    return "".join(f"{line}\n" for line in stated if line)
 
 
 def run(command: list[str], program: str, timeout: float) -> None:
