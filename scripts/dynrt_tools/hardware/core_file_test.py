@@ -175,6 +175,31 @@ class CoreFile(testing.InFolder):
             stated = project.searched(rf"parameter {parameter} = (\d+)", board)
             self.assertEqual(int(stated[1]), int(thesis[key]), parameter)
 
+    def test_every_waiver_is_of_the_lint_targets(self) -> None:
+        there = sorted((ROOT / "rtl" / "lint").glob("*.vlt"))
+        self.assertEqual(self.files("waivers"), [p.relative_to(ROOT).as_posix() for p in there])
+
+    def linted(self, name: str, without: str = "none") -> str:
+        """What Verilator says of a target by its own options, without the files of such a name."""
+        target = self.core["targets"][name]
+        options = target["tools"]["verilator"]["verilator_options"]
+        files = self.files(*target["filesets"])
+        waivers = [ROOT / f for f in files if f.endswith(".vlt") and without not in f]
+        folders = sorted({f"-I{(ROOT / f).parent}" for f in files if f.endswith(".vh")})
+        sources = [ROOT / f for f in files if f.endswith(".v")]
+        command = ["verilator", "--lint-only", *options, "--top-module", target["toplevel"]]
+        return testing.run(*command, *folders, *waivers, *sources).stderr
+
+    def test_the_lint_targets_of_boards_are_clean_by_their_waivers(self) -> None:
+        for name, needed in (
+            ("serial_lint", []),
+            ("arty_lint", ["lint/arty"]),
+            ("ulx3s_lint", ["lint/ulx3s", "lint/display", "vendor"]),
+        ):
+            self.assertEqual(self.linted(name), "", name)
+            for waiver in needed:
+                self.assertIn("%Warning-", self.linted(name, waiver), name)
+
     def lists(self, *flags: str) -> dict[str, list[str]]:
         """The lines of each list that the command writes."""
         subprocess.run([ROOT / "scripts/file_lists", *flags, self.folder], check=True)
