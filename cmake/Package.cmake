@@ -48,9 +48,10 @@ set(rtl ${share}/rtl)
 install(DIRECTORY rtl/arty rtl/lib rtl/board rtl/bus rtl/display rtl/ecp5 rtl/link rtl/sdram rtl/ulx3s
         rtl/generated rtl/lint DESTINATION ${rtl}
         FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
-install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
+# Those of scripts/place are for no board.
+install(DIRECTORY constraints/ DESTINATION ${rtl} PATTERN place_* EXCLUDE)
 set(lists dynrt_core.f dynrt_board.f dynrt_lint.f dynrt_axi.f dynrt_wishbone.f axi_system.f
-    wishbone_system.f)
+    wishbone_system.f dynrt_serial.f dynrt_arty.f dynrt_ulx3s.f)
 list(TRANSFORM lists PREPEND ${PROJECT_BINARY_DIR}/)
 add_custom_command(OUTPUT ${lists}
   COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists --relative ${PROJECT_BINARY_DIR}

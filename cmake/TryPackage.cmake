@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DBUILD=.. -DEXAMPLE=.. -DCOMPILER=.. -P TryPackage.cmake
 # Installs a build into a fresh folder, renders with the installed program, builds a copy of the
-# example project with what is installed alone and runs it; Verilator lints the installed board by the
-# list of its files.
+# example project with what is installed alone and runs it; Verilator lints the installed board and the
+# core on a serial line by the lists of their files; boards have their lists and constraints.
 set(work ${BUILD}/package_test)
 file(REMOVE_RECURSE ${work})
 function(run)
@@ -23,5 +23,17 @@ run(${CMAKE_COMMAND} -G Ninja -S ${work}/example -B ${work}/build -DCMAKE_CXX_CO
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/example)
-run(verilator --lint-only -F ${work}/prefix/share/dynrt/rtl/dynrt_lint.f)
+set(rtl ${work}/prefix/share/dynrt/rtl)
+foreach(list dynrt_lint dynrt_serial)
+  run(verilator --lint-only -F ${rtl}/${list}.f)
+endforeach()
+foreach(file dynrt_arty.f arty_a7.xdc dynrt_ulx3s.f ulx3s.lpf dynrt_board.sdc memory_port.sdc)
+  if(NOT EXISTS ${rtl}/${file})
+    message(FATAL_ERROR "the package lacks ${file}")
+  endif()
+endforeach()
+file(GLOB measured ${rtl}/place_*)
+if(measured)
+  message(FATAL_ERROR "the package has constraints that are for no board: ${measured}")
+endif()
 file(REMOVE_RECURSE ${work})

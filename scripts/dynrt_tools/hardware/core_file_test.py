@@ -232,9 +232,17 @@ class CoreFile(testing.InFolder):
 
     def test_the_cores_behind_a_bus_and_their_examples_are_clean(self) -> None:
         self.lists()
-        for name in ("dynrt_axi", "dynrt_wishbone", "axi_system", "wishbone_system"):
+        for name in "dynrt_axi dynrt_wishbone axi_system wishbone_system dynrt_serial".split():
             result = testing.run("verilator", "--lint-only", "-f", self.folder / f"{name}.f")
             self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), name)
+
+    def test_the_lists_of_boards_lack_only_what_the_vendor_s_tool_has(self) -> None:
+        self.lists()
+        for top, beside in (("dynrt_arty", "rtl/arty"), ("dynrt_ulx3s", "verif/vendor")):
+            command = f"iverilog -g2005 -t null -s {top} -f {self.folder}/{top}.f".split()
+            self.assertIn("Unknown module type", testing.run(*command).stderr, top)
+            result = testing.run(*command, "-y", ROOT / beside)
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), top)
 
     def test_the_lint_list_needs_its_waivers(self) -> None:
         self.lists()

@@ -7,6 +7,9 @@
     dynrt_lint.f   the board for Verilator, with the waivers of rtl/lint, its top and -Wall
     dynrt_axi.f, dynrt_wishbone.f      the core behind a bus, likewise
     axi_system.f, wishbone_system.f    the examples that have it beside a memory, likewise
+    dynrt_serial.f  the core with its host on a serial line, likewise
+    dynrt_arty.f, dynrt_ulx3s.f  the tops of boards, for the vendors' tools: without waivers, and
+                                 without what such a tool knows or makes (rtl/arty/mig_7series_0.v)
 
 The names are absolute, so a list works in every folder:
     verilator --lint-only -f FOLDER/dynrt_lint.f
@@ -29,6 +32,9 @@ LISTS = {
     "dynrt_wishbone.f": "wishbone_lint",
     "axi_system.f": "axi_example",
     "wishbone_system.f": "wishbone_example",
+    "dynrt_serial.f": "serial_lint",
+    "dynrt_arty.f": "arty",
+    "dynrt_ulx3s.f": "ulx3s",
 }
 
 
@@ -39,7 +45,8 @@ def _lines(core: project.Json, target: project.Json, folder: pathlib.PurePath) -
         yield f"--top-module {target['toplevel']}"
     files = [f for s in target["filesets"] for f in core["filesets"][s]["files"]]
     headers = [name for f in files if isinstance(f, dict) for name in f]
-    sources = [f for f in files if not isinstance(f, dict)]
+    # Constraints are for other tools than those that read lists.
+    sources = [f for f in files if not isinstance(f, dict) and f.endswith((".v", ".vlt"))]
     yield from sorted({f"+incdir+{(folder / header).parent}" for header in headers})
     # Waivers hold for the files after them.
     for name in sorted(sources, key=lambda name: not name.endswith(".vlt")):
