@@ -192,12 +192,12 @@ class CoreFile(testing.InFolder):
 
     def test_the_lint_targets_of_boards_are_clean_by_their_waivers(self) -> None:
         for name, needed in (
-            ("serial_lint", []),
-            ("arty_lint", ["lint/arty"]),
-            ("ulx3s_lint", ["lint/ulx3s", "lint/display", "vendor"]),
+            ("serial_lint", ""),
+            ("arty_lint", "lint/arty"),
+            ("ulx3s_lint", "lint/ulx3s lint/display vendor"),
         ):
             self.assertEqual(self.linted(name), "", name)
-            for waiver in needed:
+            for waiver in needed.split():
                 self.assertIn("%Warning-", self.linted(name, waiver), name)
 
     def lists(self, *flags: str) -> dict[str, list[str]]:

@@ -175,9 +175,10 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
     files: list[pathlib.Path] = next((found for f in folders if (found := units_in(f))), [])
     if not files:
         names = [f"'{name}'" for name in all_checked_in()]
+        are = "is" if len(names) == 1 else "are"
         project.fail(
             f"there is no generated Verilog of configuration '{args.config}'; "
-            f"{project.enumerated(names)} {'is' if len(names) == 1 else 'are'} checked in, a build puts that of the others into "
+            f"{project.enumerated(names)} {are} checked in, a build puts that of the others into "
             f"{' or '.join(str(b) for b in builds)}"
         )
     return files
