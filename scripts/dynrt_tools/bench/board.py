@@ -58,6 +58,8 @@ def ulx3s() -> tuple[System, ...]:
 BOARDS = {"ulx3s": ulx3s}
 # Of the frames with SRAM, in the first system of a board.
 ASKED = {"office": 0.7, "cistern": 0.9, "conference": 0.65}
+# Frames that the second system is held against the board's Verilog with.
+HELD, HELD_SIZE = ("office", "conference"), "128x96"
 
 
 def build(folder: pathlib.Path, target: str) -> None:
@@ -76,13 +78,19 @@ def build(folder: pathlib.Path, target: str) -> None:
 
 
 def frame_of(
-    dynrt: Dynrt, core: str, schedules: pathlib.Path, scene: str, size: str, system: System
+    dynrt: Dynrt,
+    core: str,
+    schedules: pathlib.Path,
+    scene: str,
+    size: str,
+    system: System,
+    *flags: str,
 ) -> Json:
     """What the program of a core writes of a frame with the SDRAM."""
     program = dynrt.program.parent / "verif" / "sdram" / f"sdram_frames_{core}"
     with tempfile.TemporaryDirectory() as folder:
         figures = pathlib.Path(folder, "figures.json")
-        command = [str(program), scene, "--size", size, *system.flags()]
+        command = [str(program), scene, "--size", size, *system.flags(), *flags]
         done = subprocess.run(
             [*command, "--schedule", str(schedules), "--json", str(figures)],
             text=True,
@@ -141,6 +149,7 @@ def budget_of(frame: Json, fixed: Json, asked: float | None) -> Json:
     reachable = min(1, room / (read + written))
     aim = None if asked is None else min(asked, reachable)
     return {
+        "system": frame["system"],
         "scene": frame["scene"],
         "read": read,
         "written": written,
@@ -174,6 +183,16 @@ def fixed_of(frame: Json, system: System) -> Json:
     return {"peak": peak, "displayed": displayed, "refresh": lost * peak}
 
 
+def verilog_of(dynrt: Dynrt, board: str, scene: str, system: System, progress: Progress) -> Json:
+    """The clocks of a small frame on the board's Verilog, whose display reads a picture that is as
+    small, and of this one's without a display."""
+    progress(f"{board}: {scene}, on its Verilog")
+    verilog = dynrt.render(scene, board, system.core, HELD_SIZE, "--no-hits").frame["cycles"]
+    schedules = dynrt.program.parent / "generated" / system.core
+    here = frame_of(dynrt, system.core, schedules, scene, HELD_SIZE, system, "--no-display")
+    return {"scene": scene, "clocks of the Verilog": verilog, "clocks here": here["cycles"]}
+
+
 def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
     """A frame of each system and scene, as many at a time as there are processors."""
     progress(f"building the programs of {board}")
@@ -205,10 +224,16 @@ def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
         }
         row["use with SRAM"] = sram["units"][row["busiest unit"]]["utilisation"]
         frames.append(row)
-        if system == systems[0]:
-            budget.append(budget_of(row, fixed_of(frame, system), ASKED.get(scene)))
-    stated = [dataclasses.asdict(system) for system in systems]
-    return {"board": board, "size": size, "systems": stated, "budget": budget, "frames": frames}
+        asked = ASKED.get(scene) if system == systems[0] else None
+        budget.append(budget_of(row, fixed_of(frame, system), asked))
+    return {
+        "board": board,
+        "size": size,
+        "systems": [dataclasses.asdict(system) for system in systems],
+        "budget": budget,
+        "frames": frames,
+        "verilog": [verilog_of(dynrt, board, scene, systems[1], progress) for scene in HELD],
+    }
 
 
 def share(value: float) -> str:
@@ -222,8 +247,8 @@ def table(measured: Json) -> str:
         aim = "-" if row["aim"] is None else share(row["aim"])
         parts = "".join(f"{row[p]:>7.0f}" for p in ("read", "written", "displayed", "refresh"))
         lines.append(
-            f"{row['scene']:12}{parts}{row['sum']:>7.0f}{share(row['of the peak']):>9}{aim:>8}, "
-            f"is {share(row['reached'])}: {row['verdict']}"
+            f"{row['system']:8}{row['scene']:12}{parts}{row['sum']:>7.0f}"
+            f"{share(row['of the peak']):>9}{aim:>8}, is {share(row['reached'])}: {row['verdict']}"
         )
     for system in measured["systems"]:
         lines.append(
@@ -249,6 +274,9 @@ def table(measured: Json) -> str:
                 f"SRAM {share(row['use with SRAM'])}; {row['stalled unit']} stalled "
                 f"{share(row['stalled'])}"
             )
+    lines.append(f"\nclocks of {HELD_SIZE} pixels: of the board's Verilog, and here")
+    for row in measured["verilog"]:
+        lines.append(f"{row['scene']:12}{row['clocks of the Verilog']:>9}{row['clocks here']:>9}")
     lines.append(
         "\nwaits: of the SDRAM's clocks, in which bursts wait for rows and turns of the bus; idle: in "
         "which none has come; reads: under way in the mean."

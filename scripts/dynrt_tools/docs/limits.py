@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
 from dynrt_tools.docs import keys
+from dynrt_tools.hardware import board_clocks
 
 MEMORY = "hls/units/memory_format.h"
 WALK = "host/app/walk.cpp"
@@ -38,6 +39,7 @@ of the host and `hls/configs/configs.json`.
 | entries of a stack, for each packet and level | {stack}, in `deep` {deep_stack} | the host builds no deeper tree |
 | point lights | {lights} in `whitted` and its variants | the host refuses the scene |
 | reflections of a ray | {reflections} in `whitted` and its variants | the host refuses the flag |
+| pixels of a picture on the display of a board | {modes}, as its bitstream is made; a width that is a multiple of {pitch} | the host refuses the size on a simulated board; on one at a serial line the display stays off |
 | frames of a walk | {frames:,} | the host refuses the flag |
 | nodes, and list entries, of the top-level tree for each instance | {of_few}, with many instances {of_many} | the host builds a less deep tree |
 | magnitude of a number | from 2^{low} to just below 2^{high} | it saturates |
@@ -132,6 +134,8 @@ def page() -> str:
         deep_stack=configurations["deep"]["stack_depth"],
         lights=whitted["lights"],
         reflections=whitted["reflections"],
+        modes=" or ".join(board_clocks.modes()),
+        pitch=memory["kPitchStep"],
         frames=constants(WALK)["kMostFrames"],
         of_few=tree["kOfFew"],
         of_many=tree["kOfMany"],
