@@ -126,8 +126,7 @@ inline constexpr char kHoldsAnother[] =
     "board {} can hold configuration {}, not {}; name what it holds, or nothing";
 inline constexpr char kHasItsCore[] =
     "board {} has the core that its bitstream is made of, so --specialise has no use; take board "
-    "rtl "
-    "or model";
+    "rtl or model";
 inline constexpr char kHasItsDisplay[] =
     "board {} has a display of its own, which --scan-out cannot see; leave it out, or take board "
     "rtl";

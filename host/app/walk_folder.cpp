@@ -136,6 +136,7 @@ void WalkFolder::read() {
     if (!file) refuse(messages::kCannotRead, manifest.string(), std::strerror(errno));
     const Json json = Json::parse(file);
     for (const auto& [name, value] : settings_) {
+      // A walk of an earlier dynrt may lack one, which makes it another walk.
       before.push_back(json.at("settings").value(name, std::string()));
     }
     for (const auto& [name, record] : json.at("frames").items()) {

@@ -273,6 +273,11 @@ TEST_F(Walks, FramesOfAnotherWalkAreNamed) {
               ThrowsMessage<UserError>(
                   path("w") + ": the folder holds frames of an older version of the scene; name "
                               "another --out, or give --again to replace them"));
+  WalkSettings more = kSettings;
+  more.emplace_back("--later", "yes");
+  EXPECT_THAT([&] { WalkFolder(path("w"), more, false); },
+              ThrowsMessage<UserError>(testing::HasSubstr(
+                  "frames of another walk, with --later '' where this walk has 'yes'")));
   std::ofstream(path("w/notes.txt")) << "the user's own";
   const WalkFolder anew(path("w"), {{"SCENE", "t"}}, true);
   EXPECT_THAT(files("w"), ElementsAre("notes.txt"));

@@ -236,13 +236,9 @@ TEST_P(Serial, TellsOfAnErrorWhileResultsAreRead) {
   make_board();
   simulated_->memory().set_faults(
       [](bool write, unsigned byte) { return !write && byte >= kPixelsAt ? 2u : 0u; });
-  try {
-    render(*board_, options_, *scene_);
-    FAIL() << "the pixels that were read are not those of the memory";
-  } catch (const UserError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format("answered a read of byte {:#x}",
-                                                             unsigned{kPixelsAt})));
-  }
+  const std::string said = fmt::format("answered a read of byte {:#x}", unsigned{kPixelsAt});
+  EXPECT_THAT([&] { render(*board_, options_, *scene_); },
+              testing::ThrowsMessage<UserError>(testing::HasSubstr(said)));
   simulated_->memory().set_faults([](bool, unsigned) { return 0u; });
   expect_frame();
 }

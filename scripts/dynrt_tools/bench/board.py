@@ -212,6 +212,8 @@ def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
 
     with Pool(os.cpu_count()) as pool:
         measured = dict(zip(jobs, pool.map(one, jobs)))
+        held = [(dynrt, board, scene, systems[1], progress) for scene in HELD]
+        verilog = list(pool.map(lambda each: verilog_of(*each), held))
     frames, budget = [], []
     for system, scene in itertools.product(systems, SCENES):
         sram, frame = measured[None, scene], measured[system, scene]
@@ -232,7 +234,7 @@ def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
         "systems": [dataclasses.asdict(system) for system in systems],
         "budget": budget,
         "frames": frames,
-        "verilog": [verilog_of(dynrt, board, scene, systems[1], progress) for scene in HELD],
+        "verilog": verilog,
     }
 
 

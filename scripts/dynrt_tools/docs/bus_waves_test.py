@@ -26,7 +26,11 @@ RESET_CLOCKS = 2
 WIDEST = 512  # bits of an input
 # What the diagrams call their values.
 VALUES = {
-    **{"A": 0x1000, "A+4": 0x1004, "B": 0x2000, "C": 0x1000010, "D": 0x1000020},
+    "A": 0x1000,
+    "A+4": 0x1004,
+    "B": 0x2000,
+    "C": 0x1000010,
+    "D": 0x1000020,
     "ID": 0x44595254,
 }
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from dynrt_tools import project
 from dynrt_tools.docs import limits
+from dynrt_tools.hardware import rtl_files
 from dynrt_tools.project import Json, read_json
 
 FRAME = "hls/units/frame.h"
@@ -80,8 +81,7 @@ def frame_fields(text: str) -> Iterator[tuple[str, str, str]]:
 
 def configurations() -> list[str]:
     """Those whose core is checked in, that of the thesis first."""
-    names = [path.parent.name for path in (project.ROOT / GENERATED).glob("*/dynrt_core.vh")]
-    return sorted(names, key=lambda name: (name != THESIS, name))
+    return sorted(rtl_files.all_checked_in(), key=lambda name: name != THESIS)
 
 
 def generated(configuration: str, suffix: str) -> str:

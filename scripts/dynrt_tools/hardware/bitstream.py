@@ -289,7 +289,7 @@ def print_crossings(routed: Routed) -> list[str]:
 
 def verilog_of(board: Board) -> list[pathlib.Path]:
     """What its bitstream is made of."""
-    core = rtl_files.generated(argparse.Namespace(config=board.config, build=None))
+    core = rtl_files.units_in(rtl_files.ALL_GENERATED / board.config)
     return synthesis.needed(board.top, rtl_files.sources(core))
 
 
@@ -312,7 +312,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         return problems
     placer = placers.PLACERS[board.device]["program"]
     missing = [tool for tool in (placer, PACKER) if not shutil.which(tool)]
-    lacks = f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not on the PATH"
+    lacks = f"{project.enumerated(missing)} {'is' if len(missing) == 1 else 'are'} not on the PATH"
     if missing:
         print(f"tools       {lacks}: pins, synthesis and room alone are checked", flush=True)
     print(f"pins        all {len(pins_of(top_of(board)))} have their sites")
