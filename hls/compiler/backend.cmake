@@ -23,6 +23,7 @@ add_library(hlsc_backend STATIC
   passes/rewrite.cpp
   passes/split_products.cpp
   schedule/asap.cpp
+  schedule/checker.cpp
   schedule/circuit.cpp
   schedule/delay_model.cpp
   schedule/registers.cpp
@@ -43,7 +44,8 @@ target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest:
 dynrt_quick_tests(hlsc_passes_test)
 dynrt_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
 
-add_executable(hlsc_schedule_test schedule/schedule_test.cpp schedule/timing_test.cpp)
+add_executable(hlsc_schedule_test schedule/checker_test.cpp schedule/schedule_test.cpp
+                                  schedule/timing_test.cpp)
 target_compile_definitions(hlsc_schedule_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock

@@ -66,6 +66,7 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   const double tight = tightest_period(circuit, delay, options.clock_ns);
   const Schedule asap = schedule_asap(circuit, delay, tight);
   const Schedule schedule = minimise_registers(circuit, delay, tight, asap);
+  check_schedule({circuit, delay, tight, options.clock_ns}, schedule);
   Lowered lowered;
   lowered.verilog = emit_verilog(circuit, schedule, options);
   lowered.report = emit_report(circuit, schedule, options);

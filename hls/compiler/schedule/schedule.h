@@ -1,26 +1,19 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gives every cell of a circuit a pipeline stage: as few stages as the clock allows, and at that
-// latency as few register bits as a linear program finds.
+// The solvers of the scheduling problem (problem.h), which give every cell of a circuit a pipeline
+// stage: as few stages as the clock allows, and at that latency as few register bits as a linear
+// program finds.
 #pragma once
 
 #include <vector>
 
 #include "schedule/circuit.h"
 #include "schedule/delay_model.h"
+#include "schedule/problem.h"
 #include "schedule/timing.h"
 
 namespace hlsc {
-
-/// The stage of cells that do not matter to a path: all they give comes out of registers that are
-/// far behind their blocks. Still cells are in it.
-constexpr int kElsewhere = -1;
-
-struct Schedule {
-  int stages = 1;          ///< clocks from the start of a transaction to its tokens in the FIFOs
-  std::vector<int> stage;  ///< of each cell; of a still one kElsewhere: it is in all
-};
 
 /// Marks operations on Config ports alone as still, as far as they fit between two registers.
 void mark_still(Circuit& circuit, const DelayModel& delay, double clock_ns);
