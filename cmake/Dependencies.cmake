@@ -36,7 +36,7 @@ find_package(GTest REQUIRED)
 find_package(LLVM 19.1 REQUIRED CONFIG)
 find_program(DYNRT_YOSYS yosys REQUIRED)
 find_package(benchmark REQUIRED)
-find_package(embree 3 REQUIRED)
+find_package(embree REQUIRED)  # 3 or 4: host/analysis/truth/embree.h
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL REQUIRED QUIET)
 find_package(PkgConfig REQUIRED)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/analysis/truth/candidates.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+
+#include "host/analysis/truth/embree.h"
 
 namespace dynrt::host {
 
@@ -25,24 +25,15 @@ float rounded_down(double x) {
 }
 float rounded_up(double x) { return -rounded_down(-x); }
 
-struct DeviceRelease {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneRelease {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
-using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
-
 /// Data for the callback, behind Embree's own.
 struct Query {
-  RTCIntersectContext context;
+  EmbreeContext context;
   CandidateVisitor* visitor;
   double scale;  ///< Embree's distance is scale * t - start
   double start;
 };
 
-void intersect(const RTCIntersectFunctionNArguments* arguments) {
+void meet(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->N != 1 || arguments->valid[0] == 0) return;
   // The context is the first member of a Query, so it has its address.
   const auto* query = reinterpret_cast<const Query*>(arguments->context);
@@ -58,7 +49,7 @@ void intersect(const RTCIntersectFunctionNArguments* arguments) {
 }  // namespace
 
 struct CandidateTree::State {
-  Device device;
+  EmbreeDevice device;
   EmbreeScene scene;
   glm::dvec3 centre{0.0};
   double scale = 1.0;
@@ -114,7 +105,7 @@ CandidateTree::CandidateTree(const std::vector<std::vector<CandidateBox>>& boxes
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(instance.size()));
     rtcSetGeometryUserData(geometry, &sources.back());
     rtcSetGeometryBoundsFunction(geometry, State::Source::bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, intersect);
+    rtcSetGeometryIntersectFunction(geometry, meet);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(state_->scene.get(), geometry);
     rtcReleaseGeometry(geometry);
@@ -155,7 +146,6 @@ bool CandidateTree::visit(const TruthRay& ray, CandidateVisitor& visitor) const 
   const double to = std::min(scale * ray.to - start, 8 * kStartCube);
   if (to + kSlack < 0) return true;
   Query query{{}, &visitor, scale, start};
-  rtcInitIntersectContext(&query.context);
   RTCRayHit hit{};
   hit.ray.org_x = static_cast<float>(origin.x);
   hit.ray.org_y = static_cast<float>(origin.y);
@@ -167,7 +157,7 @@ bool CandidateTree::visit(const TruthRay& ray, CandidateVisitor& visitor) const 
   hit.ray.tfar = rounded_up(to * (1 + kSlack) + kSlack);
   hit.ray.mask = ~0u;
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state_->scene.get(), &query.context, &hit);
+  intersect(state_->scene, query.context, hit);
   return true;
 }
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/analysis/truth/embree_check.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <memory>
+
+#include "host/analysis/truth/embree.h"
 
 namespace dynrt::host {
 
@@ -18,13 +18,6 @@ namespace {
 /// The error of Embree's floats if coordinates and distances have magnitude 1: vertices, origin and
 /// direction by half a step of 2^-23 each, and sums and products of them by a few.
 constexpr double kFloatError = 0x1p-20;
-
-struct DeviceRelease {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneRelease {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
 
 class EmbreeCaster {
  public:
@@ -39,8 +32,6 @@ class EmbreeCaster {
   }
 
   std::optional<PrimitiveId> nearest(const TruthRay& ray) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit hit{};
     hit.ray.org_x = static_cast<float>(ray.origin.x);
     hit.ray.org_y = static_cast<float>(ray.origin.y);
@@ -51,7 +42,8 @@ class EmbreeCaster {
     hit.ray.tfar = std::numeric_limits<float>::infinity();
     hit.ray.mask = ~0u;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_.get(), &context, &hit);
+    EmbreeContext context;
+    intersect(scene_, context, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return PrimitiveId{hit.hit.geomID, hit.hit.primID};
   }
@@ -78,8 +70,8 @@ class EmbreeCaster {
     rtcReleaseGeometry(geometry);
   }
 
-  std::unique_ptr<RTCDeviceTy, DeviceRelease> device_;
-  std::unique_ptr<RTCSceneTy, SceneRelease> scene_;
+  EmbreeDevice device_;
+  EmbreeScene scene_;
 };
 
 double largest(const glm::dvec3& v) {
