@@ -148,6 +148,11 @@ class Scripts(testing.InFolder):
             (("demo", "office"), "demo: unknown argument 'office'"),
             (("demo", "--size"), "demo: --size needs WxH, for example 512x384"),
             (("test", "--label", "units"), "test: unknown label 'units'; the labels are unit,"),
+            (
+                ("test", "--fast", "--slow-part", "10/10"),
+                "test: --slow-part 10/10 is no part; give",
+            ),
+            (("test", "--slow-part", "10"), "test: --slow-part adds a part to --fast; give both"),
             (("test", "--preset", "debug"), "test: unknown preset 'debug'; the presets are"),
         ):
             result = self.run_script(*command)
