@@ -98,6 +98,18 @@ class Written(GenerateCase):
                 '{"value": ..., "reason": "a sentence"}',
             )
 
+    def stated(self, *keys: str) -> str:
+        """What the list for CMake has of these keys, as its text has it."""
+        (written,) = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))
+        return json.dumps([written[key] for key in keys])
+
+    def test_a_whole_number_may_have_a_decimal_point(self) -> None:
+        text = self.written(packets=8.0, clock_ns={"value": 0.0, "reason": "the build has one"})
+        self.assertEqual(self.written(packets=8), text)
+        self.assertEqual(self.stated("packets", "clock_ns"), "[8, 0]")
+        self.written(clock_ns=12.0)
+        self.assertEqual(self.stated("packets", "clock_ns"), "[4, 12]")
+
     def test_where_it_is_from_is_text_alone(self) -> None:
         text = self.written()
         self.assertEqual(self.written(made_for="office", made_from="thesis"), text)

@@ -104,8 +104,8 @@ class Refused(GenerateCase):
         )
         self.assert_key_refused(
             "packets",
-            4.0,
-            "(packets in flight in a pipeline) is 4.0; it must be a whole number from 1 to 64",
+            4.5,
+            "(packets in flight in a pipeline) is 4.5; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
             "rtl",

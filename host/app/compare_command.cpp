@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "hls/json_text.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -65,7 +66,7 @@ int run(const Arguments& arguments) {
     json["rtl"] = report_json(rtl, rtl_figures, clock);
     json["model"] = report_json(model, model_figures, clock);
     json["comparison"] = comparison_json(comparison);
-    write_text(arguments.frame.json, json.dump(2) + "\n");
+    write_text(arguments.frame.json, hls::json_text(json));
   }
   const std::string image =
       out.empty() ? "" : fmt::format("image       {}, {}x{}\n", out, rtl.width, rtl.height);

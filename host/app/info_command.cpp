@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
@@ -90,9 +91,9 @@ int run(const Arguments& arguments) {
   if (!arguments.memory.empty()) write_memory(arguments.memory, prepared);
   if (!arguments.registers.empty()) {
     const FrameConfig frame = frame_config(*core, options, prepared.frame);
-    write_text(arguments.registers, registers_json(*core, frame).dump(2) + "\n");
+    write_text(arguments.registers, hls::json_text(registers_json(*core, frame)));
   }
-  if (!arguments.json.empty()) write_text(arguments.json, prepared.json().dump(2) + "\n");
+  if (!arguments.json.empty()) write_text(arguments.json, hls::json_text(prepared.json()));
   say(prepared.text());
   return kDone;
 }

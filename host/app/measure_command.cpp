@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "hls/json_text.h"
 #include "host/analysis/truth/measures.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -100,7 +101,7 @@ int run(const Arguments& arguments) {
     json["seconds"] = {{"model", frame.run.seconds}, {"truth", expected.truth.seconds}};
     json["counters"] = counters_json(frame);
     json["measures"] = expected.measures;
-    write_text(arguments.json, json.dump(2) + "\n");
+    write_text(arguments.json, hls::json_text(json));
   }
   say(fmt::format("{}model       {:.2f} s\ntruth       {:.2f} s\n{}", prepared.text(),
                   frame.run.seconds, expected.truth.seconds, text_of(expected.measures)));

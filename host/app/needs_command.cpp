@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 
+#include "hls/json_text.h"
 #include "host/app/analyst.h"
 #include "host/app/command.h"
 #include "host/app/scene_flags.h"
@@ -62,7 +63,7 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) check_output_path(arguments.json);
   SceneFile file(arguments.scene);
   const SceneAnalysis analysis = analyse(file, arguments.configuration, arguments.frames);
-  if (!arguments.json.empty()) write_text(arguments.json, analysis.json().dump(2) + "\n");
+  if (!arguments.json.empty()) write_text(arguments.json, hls::json_text(analysis.json()));
   say(analysis.text + table_of(analysis.decisions));
   return kDone;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -122,7 +123,7 @@ int run(const Arguments& arguments) {
     json["frame"] = report_json(frame, figures, clock);
     if (pixel) json["pixel"] = hit_json(frame, pixel->x, pixel->y);
     if (shown) json["scan_out"] = shown->json();
-    write_text(arguments.frame.json, json.dump(2) + "\n");
+    write_text(arguments.frame.json, hls::json_text(json));
   }
   say(fmt::format("image       {}, {}x{}\n{}{}{}", out, frame.width, frame.height, prepared.text(),
                   report_text(frame, figures, clock), shown ? shown->text() : ""));

@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
@@ -40,7 +41,7 @@ int run(const Arguments& arguments, Study study) {
   }
   if (!arguments.json.empty()) check_output_path(arguments.json);
   const WorkReport report = study(prepare(arguments.scene, width, height), width, height);
-  if (!arguments.json.empty()) write_text(arguments.json, report.json.dump(2) + "\n");
+  if (!arguments.json.empty()) write_text(arguments.json, hls::json_text(report.json));
   say(report.text);
   return kDone;
 }

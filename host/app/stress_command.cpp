@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hls/json_text.h"
 #include "host/analysis/stress/run.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
@@ -72,7 +73,7 @@ class OtherFormat {
                                       {"mantissa_bits", mantissa_bits_}};
     const auto path =
         folder_ / fmt::format("{}_{}_{}.json", configuration, exponent_bits_, mantissa_bits_);
-    std::ofstream(path) << keys.dump(2);
+    std::ofstream(path) << hls::json_text(keys);
     return path.string();
   }
 
@@ -148,7 +149,7 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) {
     const auto json =
         stress::json_of(results, arguments.configuration, arguments.board, seconds.count());
-    write_text(arguments.json, json.dump(2) + "\n");
+    write_text(arguments.json, hls::json_text(json));
   }
   say(arguments.markdown ? stress::markdown_of(results)
                          : stress::summary_of(results, seconds.count()) + "\n");

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <utility>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -66,7 +67,7 @@ std::string configuration_of(const ViewChoices& choices) {
       {"like", choices.configuration},
       {"rtl", *choices.mantissa_bits <= kWidestRtl},
       {"mantissa_bits", *choices.mantissa_bits}};
-  write_text(file.string(), keys.dump(2) + "\n");
+  write_text(file.string(), hls::json_text(keys));
   return file.string();
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string_view>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -221,7 +222,7 @@ int run(const Arguments& arguments) {
     for (unsigned i = 0; i < arguments.frames; ++i) {
       json["walk"]["frames"][i]["figures"] = std::move(figures[i]);
     }
-    write_text(arguments.frame.json, json.dump(2) + "\n");
+    write_text(arguments.frame.json, hls::json_text(json));
   }
   if (place.gif) {
     const double rate = static_cast<double>(arguments.frames) / plan.seconds;

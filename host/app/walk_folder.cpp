@@ -10,6 +10,7 @@
 #include <fstream>
 #include <regex>
 
+#include "hls/json_text.h"
 #include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/picture/gif.h"
@@ -177,7 +178,7 @@ void WalkFolder::save() {
       {"about", "frames of a walk of dynrt; the same command renders those that are missing"},
       {"settings", settings},
       {"frames", records_}};
-  write_text(fs::path(path_) / kManifest, json.dump(1) + "\n");
+  write_text(fs::path(path_) / kManifest, hls::json_text(json, 1));
   saved_ = Clock::now();
   save_takes_ = saved_ - begin;
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <type_traits>
 
+#include "hls/json_text.h"
+
 namespace dynrt {
 
 namespace {
@@ -24,7 +26,7 @@ Json json_of_value(const Value& value) {
     }
     return list;
   } else {
-    return value;
+    return hls::with_whole_numbers(Json(value));
   }
 }
 

@@ -29,6 +29,15 @@ TEST(ConfigurationJson, WritesValuesAsTheTableHasThem) {
   EXPECT_THROW(value_of(*found, "lihgts"), std::out_of_range);
 }
 
+TEST(ConfigurationJson, WritesAWholeNumberAsOne) {
+  CoreConfiguration configuration;
+  EXPECT_EQ(value_of(configuration, "clock_ns").dump(), "0");
+  configuration.clock_ns = 12;
+  EXPECT_EQ(json_of(configuration).at("clock_ns").dump(), "12");
+  configuration.clock_ns = 8.5;
+  EXPECT_EQ(value_of(configuration, "clock_ns").dump(), "8.5");
+}
+
 TEST(ConfigurationJson, ReadsAValueBesideItsReason) {
   const auto read = configuration_of(Json::parse(
       R"({"made_for": {"value": "office", "reason": "it was asked for"},

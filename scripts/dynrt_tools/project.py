@@ -51,15 +51,28 @@ def hash_of_files(paths: Iterable[pathlib.Path]) -> str:
     return digest.hexdigest()
 
 
+def with_whole_numbers(data: Any) -> Any:
+    """The same data; numbers without a fraction as integers, as CMake and C++ tell 0.0 from 0."""
+    if isinstance(data, dict):
+        return {key: with_whole_numbers(value) for key, value in data.items()}
+    if isinstance(data, (list, tuple)):
+        return [with_whole_numbers(value) for value in data]
+    return int(data) if isinstance(data, float) and data.is_integer() else data
+
+
+def json_text(data: object, indent: int | None = None) -> str:
+    return json.dumps(with_whole_numbers(data), indent=indent)
+
+
 def write_json(path: pathlib.Path, data: object) -> None:
-    path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+    path.write_text(json_text(data, 2) + "\n", encoding="utf-8")
 
 
 def write_rows(path: pathlib.Path, data: Json, *lists: str) -> None:
     """As JSON with each entry of these lists in its line, so that two files can be compared."""
-    text = json.dumps({**data, **{name: [] for name in lists}}, indent=2)
+    text = json_text({**data, **{name: [] for name in lists}}, 2)
     for name in lists:
-        rows = ",\n".join(f"    {json.dumps(row)}" for row in data[name])
+        rows = ",\n".join(f"    {json_text(row)}" for row in data[name])
         if rows:
             text = text.replace(f'\n  "{name}": []', f'\n  "{name}": [\n{rows}\n  ]')
     path.write_text(text + "\n", encoding="utf-8")

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "hls/json_text.h"
 #include "host/error.h"
 #include "host/render/figures.h"
 
@@ -104,7 +105,7 @@ void measure(const Flags& flags) {
   const SdramFrame rendered = frame_of(flags.request());
   if (!rendered.report.empty()) throw std::logic_error(rendered.report);
   std::ofstream file(flags.json);
-  file << json_of(rendered, flags.core_mhz).dump(2) << '\n';
+  file << hls::json_text(json_of(rendered, flags.core_mhz));
   if (!file.flush()) host::refuse("--json {}: cannot be written; name another file", flags.json);
 }
 

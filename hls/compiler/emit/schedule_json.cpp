@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emit/emit.h"
+#include "hls/json_text.h"
 
 namespace hlsc {
 
@@ -39,7 +40,7 @@ std::string emit_schedule(const Circuit& c, const Schedule& schedule, const Opti
                      {"stages", schedule.stages},
                      {"room", fifo_depth(schedule, options.room) - in_pipeline(schedule)},
                      {"ram_stages", rams}};
-  return json.dump(2) + "\n";
+  return hls::json_text(json);
 }
 
 }  // namespace hlsc

@@ -14,6 +14,7 @@
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/pipeline_bits.h"
+#include "hls/json_text.h"
 
 namespace hlsc {
 namespace {
@@ -185,13 +186,13 @@ std::string emit_timing(const Circuit& c, const Schedule& schedule, const Option
                                    ? end.where.file
                                    : end.where.file + ":" + std::to_string(end.where.line);
     const Json line = {{"signal", signal}, {"kind", end.kind}, {"source", source}, {"ns", ns}};
-    ends += (ends.empty() ? "\n    " : ",\n    ") + line.dump();
+    ends += (ends.empty() ? "\n    " : ",\n    ") + hls::with_whole_numbers(line).dump();
   }
   return fmt::format(
       "{{\n  \"unit\": {},\n  \"module\": {},\n  \"clock_ns\": {},\n  \"models\": {},\n"
       "  \"ends\": [{}\n  ]\n}}\n",
-      Json(c.netlist.unit).dump(), Json(c.netlist.module).dump(), Json(options.clock_ns).dump(),
-      names.dump(), ends);
+      Json(c.netlist.unit).dump(), Json(c.netlist.module).dump(),
+      hls::with_whole_numbers(Json(options.clock_ns)).dump(), names.dump(), ends);
 }
 
 }  // namespace hlsc

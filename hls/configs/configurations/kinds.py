@@ -13,6 +13,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 
+def whole(value: object) -> object:
+    """The same value; a number without a fraction as an integer, as CMake tells 0.0 from 0."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
 class Kind(Protocol):
     """What every kind offers."""
 

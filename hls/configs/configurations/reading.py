@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from configurations.keys import KEYS
-from configurations.kinds import Sentence
+from configurations.kinds import Sentence, whole
 from configurations.rules import FLOAT_BITS, RULES
 
 LISTED = pathlib.Path(__file__).resolve().parent.parent / "configs.json"
@@ -98,14 +98,14 @@ def _value_of(where: str, stated: Mapping[str, Any], key: str) -> Any:
     """What is stated of a key, without the reason that may stand beside it; throws Refused."""
     value = stated[key]
     if not isinstance(value, dict):
-        return value
+        return whole(value)
     if set(value) != {"value", "reason"} or not Sentence().allows(value["reason"]):
         raise Refused(
             f"{where}: key '{key}' is {json.dumps(value)}; write its value, or "
             '{"value": ..., "reason": "a sentence"}',
             _line_of(stated, key),
         )
-    return value["value"]
+    return whole(value["value"])
 
 
 def _complete(where: str, stated: Mapping[str, Any]) -> Configuration:
