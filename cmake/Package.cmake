@@ -42,25 +42,31 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
 install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
         DESTINATION ${share}/cmake)
 
-# The Verilog that is checked in. The prefix may be moved, so a list names its files relative to its own
-# folder, as -F of Verilator and -f of others, run there, read it.
+# The Verilog that is checked in, and that of boards. The prefix may be moved, so a list names its files
+# relative to its own folder, as -F of Verilator and -f of others, run there, read it.
 set(rtl ${share}/rtl)
 install(DIRECTORY rtl/arty rtl/lib rtl/board rtl/bus rtl/display rtl/ecp5 rtl/link rtl/sdram rtl/ulx3s
         rtl/generated rtl/lint DESTINATION ${rtl}
         FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
 # Those of scripts/place are for no board.
 install(DIRECTORY constraints/ DESTINATION ${rtl} PATTERN place_* EXCLUDE)
-set(lists dynrt_core.f dynrt_board.f dynrt_lint.f dynrt_axi.f dynrt_wishbone.f axi_system.f
-    wishbone_system.f dynrt_serial.f dynrt_arty.f dynrt_ulx3s.f)
-list(TRANSFORM lists PREPEND ${PROJECT_BINARY_DIR}/)
-add_custom_command(OUTPUT ${lists}
-  COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists --relative ${PROJECT_BINARY_DIR}
-  DEPENDS scripts/dynrt_tools/hardware/file_lists.py dynrt.core VERBATIM)
-add_custom_target(file_lists ALL DEPENDS ${lists})
-install(FILES ${lists} DESTINATION ${rtl})
-
-# hls/example is such a project: built out of the tree with what is installed, once a build.
 if(DYNRT_RTL)
+  foreach(made fast_port fast_ulx3s link8 link16 sdram display)
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/generated/${made} DESTINATION ${rtl}/generated
+            FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN fresh EXCLUDE)
+  endforeach()
+  set(lists dynrt_core.f dynrt_board.f dynrt_lint.f dynrt_axi.f dynrt_wishbone.f axi_system.f
+      wishbone_system.f dynrt_serial.f dynrt_arty.f dynrt_ulx3s.f dynrt.core)
+  list(TRANSFORM lists PREPEND ${PROJECT_BINARY_DIR}/)
+  file(GLOB_RECURSE verilog CONFIGURE_DEPENDS rtl/*.v)
+  add_custom_command(OUTPUT ${lists}
+    COMMAND scripts/file_lists --relative --build ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}
+    DEPENDS scripts/dynrt_tools/hardware/file_lists.py board_verilog ${verilog}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+  add_custom_target(file_lists ALL DEPENDS ${lists})
+  install(FILES ${lists} DESTINATION ${rtl})
+
+  # hls/example is such a project: built out of the tree with what is installed, once a build.
   add_test(NAME package.example
     COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DEXAMPLE=${PROJECT_SOURCE_DIR}/hls/example
             -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${PROJECT_SOURCE_DIR}/cmake/TryPackage.cmake)

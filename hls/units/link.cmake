@@ -6,7 +6,6 @@
 #   dynrt_link<BYTES>                        custom target that makes build/<preset>/generated/link<BYTES>
 #   global property DYNRT_link<BYTES>_VERILOG  its files; _HEADER the header
 #   global property DYNRT_link<BYTES>_UNITS    the units
-# What it makes is checked in as rtl/generated/link<BYTES>, if cmake/HlsUnit.cmake says so.
 function(dynrt_lower_link bytes)
   set(name link${bytes})
   set(dir ${PROJECT_BINARY_DIR}/generated/${name})
@@ -40,9 +39,7 @@ function(dynrt_lower_link bytes)
   endforeach()
   add_custom_target(dynrt_${name} DEPENDS ${files})
   add_dependencies(verilog dynrt_${name})
-  foreach(extension v vh)
-    dynrt_checked_in(${name} ${top}.${extension} dynrt_${name})
-  endforeach()
+  add_dependencies(board_verilog dynrt_${name})
   set_property(GLOBAL PROPERTY DYNRT_${name}_VERILOG ${files})
   set_property(GLOBAL PROPERTY DYNRT_${name}_HEADER ${top}.vh)
   set_property(GLOBAL PROPERTY DYNRT_${name}_UNITS ${units})

@@ -10,9 +10,9 @@ inline constexpr char kChipNotSetUp[] =
     "the controller of the simulated ULX3S has not set its SDRAM up within a millisecond";
 inline constexpr char kChipFault[] =
     "the simulated ULX3S does to its SDRAM what the chip's data sheet forbids: {}";
-inline constexpr char kNoSimulation[] =
-    "board ulx3s: this build has no Verilog of it; run scripts/test --build-only, or name a board "
-    "at a serial line by serial:DEVICE";
+inline constexpr char kNoVerilogOfBoards[] =
+    "this build has no Verilog of the ULX3S and of other boards at a serial line; run scripts/test "
+    "--build-only, which makes it";
 inline constexpr char kUnknownBitstream[] =
     "board {}: its bitstream has configuration {}, which this program does not know at a serial "
     "line; load a bitstream that has {}";

@@ -3,6 +3,7 @@
 """Parts that every command shares: the project's folder, progress on a terminal, files that are checked
 before the work, and tools that must be there."""
 
+import datetime
 import hashlib
 import json
 import pathlib
@@ -31,6 +32,16 @@ def fail(message: object) -> NoReturn:
 def enumerated(words: Sequence[str]) -> str:
     """As a sentence names them: a, b and c."""
     return " and ".join(part for part in (", ".join(words[:-1]), *words[-1:]) if part)
+
+
+def today() -> str:
+    """The date as records keep it."""
+    return datetime.date.today().isoformat()
+
+
+def day(date: str) -> str:
+    """A date of a record as a sentence has it: 29 November 2026."""
+    return f"{datetime.date.fromisoformat(date):%-d %B %Y}"
 
 
 def show_progress(text: str) -> None:

@@ -58,7 +58,7 @@ class Commands(testing.InFolder):
         for name in self.NAMES:
             with mock.patch("sys.argv", ["synth", name]):
                 args = synth.parse()
-            tops = synth.chosen(args, rtl_files.units_in(rtl_files.GENERATED))
+            tops = synth.chosen(args, *2 * [rtl_files.units_in(rtl_files.GENERATED)])
             self.assertEqual(tops, ["packet_mailbox"])
 
     def test_place(self) -> None:

@@ -17,7 +17,7 @@ from dynrt_tools.docs.waves import Diagram
 Lanes = dict[str, list[str]]  # by the name the value in each clock: 0, 1, x or what it is called
 
 RTL = project.ROOT / "rtl"
-CORE = RTL / "generated" / "fast_port"  # board_registers.v reads how many registers a core has
+CORE = RTL / "generated" / "fast"  # board_registers.v reads how many registers a core has
 LIBRARY = ["hls_buffer", "hls_fifo", "hls_ram_1r1w", "hls_ram_1r1w_comb"]
 PORT = re.compile(
     r"^  (input|output) +(?:wire|reg) +(?:\[.+?\] +)?(\w+),?(?: *//.*)?$", re.MULTILINE

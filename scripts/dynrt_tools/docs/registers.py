@@ -229,7 +229,7 @@ def page() -> str:
         *frame_table({name: source(generated(name, "vh")) for name in cores}),
         "",
         "An address is that of the register's lowest byte on the bus of the board, in each "
-        "configuration whose core is checked in; `-` if its core has no such register. The macros "
+        "configuration whose Verilog is checked in; `-` if its core has no such register. The macros "
         "`DYNRT_CORE_FRAME_` of a core have the register's lowest bit in its input `frame_i`, eight "
         f"times the bytes from `REG_FRAME` on: {links_to(cores, 'vh')}.",
         "",
@@ -256,9 +256,8 @@ def page() -> str:
         "",
         "The host writes a number to `REG_COUNTER_ADDRESS` and reads the count from "
         f"`REG_COUNTER_DATA`. These are the numbers in `{THESIS}` ({link(generated(THESIS, 'json'))}). "
-        f"The other cores that are checked in have theirs in the list `counters` of "
-        f"{links_to(cores[1:], 'json')}, and a build has those of any other configuration in "
-        "`generated/CONFIG/dynrt_core.json`. `tokens` counts "
+        f"{links_to(cores[1:], 'json')} has its in the list `counters`, and a build has those of any "
+        "other configuration in `generated/CONFIG/dynrt_core.json`. `tokens` counts "
         "the tokens of a channel, `transactions` those that a unit has started, and `stalls` the "
         "clocks in which a unit had its tokens but an output had no room.",
         "",

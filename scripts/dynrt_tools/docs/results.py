@@ -21,13 +21,20 @@ from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.docs import loops
-from dynrt_tools.hardware import bitstream, fit_page, placed_clocks
+from dynrt_tools.hardware import fit_page, placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
 TEMPLATES = RESULTS / "templates"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
 PLACED = "placed"  # a name that is none of a file
-TEXTS = {**fit_page.TEXTS, "bitstream": bitstream.state}
+
+
+def dated(data: project.Json) -> str:
+    """The day on which a record was measured, in words."""
+    return project.day(str(data["date"]))
+
+
+TEXTS = {**fit_page.TEXTS, "date": dated}
 
 
 def template(path: pathlib.Path) -> loops.Lines:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the bitstream of a board: Yosys synthesizes its top, nextpnr-ecp5 places and routes it on the
 board's pins, ecppack packs it. Says what clock it may run at and what it runs at, and how full the
-chip is. That takes some twenty minutes. nextpnr-ecp5 and ecppack come with the OSS CAD Suite, not with
-Debian.
+chip is. That takes some twenty minutes. hlsc makes the Verilog of its core, which needs a full build
+(scripts/test --build-only). nextpnr-ecp5 and ecppack come with the OSS CAD Suite, not with Debian 12.
 
 Where a tool is not on the PATH, says which, and checks what can be checked without it: that each pin
 of the top has a site and no other has, and with Yosys that it is synthesized and the chip has room."""
@@ -23,8 +23,6 @@ from dynrt_tools.hardware import (
     board_clocks,
     devices,
     distributed_ram,
-    fit_page,
-    kept_placement,
     placer_log,
     placers,
     rtl_files,
@@ -38,7 +36,7 @@ class Board:
     """A board that has a top."""
 
     top: str
-    config: str  # of its core, as its folder in rtl/generated is called
+    config: str  # of its core
     device: str
     grade: str
     constraints: str
@@ -129,6 +127,7 @@ def parse() -> argparse.Namespace:
         metavar="MINUTES",
         help="the time that the placer may take (default: 120)",
     )
+    rtl_files.add_build(parser)
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="also write the figures")
     return parser.parse_args()
 
@@ -170,7 +169,7 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
     """The netlist, and what it takes of the device."""
     family = devices.family_of(board.device)
     synth = devices.FAMILIES[family]["synth"]
-    files = verilog_of(board)
+    files = verilog_of(board, args.build)
 
     def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
@@ -287,22 +286,11 @@ def print_crossings(routed: Routed) -> list[str]:
     return missed
 
 
-def verilog_of(board: Board) -> list[pathlib.Path]:
+def verilog_of(board: Board, build: pathlib.Path | None) -> list[pathlib.Path]:
     """What its bitstream is made of."""
-    core = rtl_files.units_in(rtl_files.ALL_GENERATED / board.config)
-    return synthesis.needed(board.top, rtl_files.sources(core))
-
-
-def made_of(board: Board) -> str:
-    """A hash of its Verilog, without comments, and of its constraints."""
-    constraints = project.hash_of_files([placers.CONSTRAINTS / board.constraints])
-    return f"{kept_placement.hash_of(board.top, verilog_of(board))[:32]}-{constraints[:32]}"
-
-
-def state(kept: Json) -> str:
-    """Which Verilog and constraints a bitstream is of, by the figures of --json."""
-    current = kept["made_of"] == made_of(BOARDS[kept["board"]])
-    return fit_page.PRESENT if current else fit_page.EARLIER
+    made = rtl_files.made_by(build, rtl_files.FOR_BOARDS)
+    core = rtl_files.units_in(made / board.config)
+    return synthesis.needed(board.top, rtl_files.sources(core, made))
 
 
 def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) -> list[str]:
@@ -338,7 +326,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         figures = {
             "board": args.board,
             "mode": args.mode,
-            "made_of": made_of(board),
+            "date": project.today(),
             "tools": {
                 "yosys": synthesis.tool_version("yosys", "-V", "yosys").split(" (")[0],
                 "placer": synthesis.tool_version(placer, "--version", placer),

@@ -121,7 +121,8 @@ class Small(testing.InFolder):
             mock.patch.object(project, "ROOT", self.folder),
             mock.patch.object(placers, "CONSTRAINTS", self.folder / "constraints"),
             mock.patch.object(synthesis, "KEPT", self.kept),
-            mock.patch.object(rtl_files, "sources", lambda core: [bitstream.top_of(board)]),
+            mock.patch.object(rtl_files, "made_by", lambda build, target: self.folder),
+            mock.patch.object(rtl_files, "sources", lambda core, made: [bitstream.top_of(board)]),
             mock.patch("sys.argv", words),
             contextlib.redirect_stdout(output),
             contextlib.redirect_stderr(errors),
@@ -171,6 +172,7 @@ class Bitstream(Small):
         self.assertEqual(data["pins_ns"], {"clk": 1.5})
         self.assertEqual(data["crossings_ns"], {"clk to other": 2.5})
         self.assertEqual((data["board"], data["mode"]), ("small", "640x480"))
+        self.assertEqual(data["date"], project.today())
         self.assertEqual(data["tools"]["placer"], "nextpnr-ecp5 -- Version 0.7")
         self.assertIn("crossing    clk to other 2.5 ns of 12.8\n", output)
         self.assertEqual((data["seed"], data["resources"]["FF"]), (7, 2))
@@ -232,12 +234,6 @@ class Bitstream(Small):
         self.assertEqual(code, 1)
         self.assertEqual(errors, "bitstream: clk to other takes 13.5 ns, and a period is 12.8\n")
         self.assertTrue(self.out.exists())
-
-    def test_a_bitstream_is_of_the_present_verilog_or_of_an_earlier_one(self) -> None:
-        board = bitstream.BOARDS["ulx3s"]
-        for made_of, is_of in ((bitstream.made_of(board), "present"), ("0-0", "earlier")):
-            said = bitstream.state({"board": "ulx3s", "made_of": made_of})
-            self.assertIn(f" {is_of} Verilog", said)
 
     def test_the_placer_was_asked_for_the_clocks_of_the_board(self) -> None:
         for mode, asked in (("another clock", "12.00"), ("no clocks", "0.00")):

@@ -21,8 +21,8 @@ from dynrt_tools.hardware import (
     fit_table,
     fitting,
     kept_placement,
-    lowering,
     model_file,
+    rtl_files,
 )
 
 PICTURES = project.ROOT / "docs" / "pictures"
@@ -111,7 +111,7 @@ class Fit:
     def __init__(
         self, model: pathlib.Path, files: Sequence[pathlib.Path], args: argparse.Namespace
     ):
-        build = lowering.find_build(args.build)
+        build = rtl_files.find_build(args.build)
         self.path = model
         self.cases = [fit_case.Case(path, build, args.jobs) for path in files]
         self.bounds = fitting.TIMES[devices.family_of(self.cases[0].kept["device"])]

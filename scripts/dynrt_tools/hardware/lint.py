@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Lints all Verilog: the files written by hand in rtl/ and those that hlsc made of a configuration.
+"""Lints all Verilog: the files written by hand in rtl/ and those that hlsc made of a configuration and
+of the parts of boards, which needs a full build (scripts/test --build-only).
 
 1. Every waiver in rtl/lint/*.vlt names a rule and a file that exists, and the comment above it
    gives the reason.
@@ -93,8 +94,13 @@ def main() -> int:
     root = project.ROOT
     if not rtl_files.all_hand_written():
         project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
-    core = rtl_files.generated(args)
-    sources = rtl_files.sources(core)
+    try:
+        core = rtl_files.generated(args.config, args.build)
+        boards = (root / "rtl" / "link").is_dir()
+        made = rtl_files.made_by(args.build, rtl_files.FOR_BOARDS) if boards else None
+    except project.Failed as error:
+        project.fail(error)
+    sources = rtl_files.sources(core, made)
 
     problems = check_waivers(root, rtl_files.all_hand_written() + core)
     with Pool(os.cpu_count()) as pool:

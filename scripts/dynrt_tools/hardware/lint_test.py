@@ -135,20 +135,22 @@ class Lint(Planted):
         built = {"build/release/generated/huge/unit.v": bad}
         result, _ = self.run_script(built, "lint")
         self.assertEqual(result.returncode, 0, result.stderr)
-        for flags in (("--config", "huge"), ("--config", "huge", "--build", "build/release")):
-            result, _ = self.run_script(built, "lint", *flags)
-            self.assertEqual(result.returncode, 1)
-            self.assertIn("verilator: build/release/generated/huge/unit.v\n", result.stderr)
-            self.assertIn("Signal is not driven, nor used: 'x'", result.stderr)
+        flags = ("--config", "huge", "--build", "build/release")
+        result, _ = self.run_script(built, "lint", *flags)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("verilator: build/release/generated/huge/unit.v\n", result.stderr)
+        self.assertIn("Signal is not driven, nor used: 'x'", result.stderr)
         result, _ = self.run_script(built, "lint", "--config", "huge", "--build", "elsewhere")
         self.assertEqual(
             result.stderr,
-            "lint: there is no generated Verilog of configuration 'huge'; 'thesis' is "
-            "checked in, a build puts that of the others into elsewhere\n",
+            "lint: --config huge: there is no Verilog of it in elsewhere/generated/huge\n",
         )
-        unit = {f"rtl/generated/{name}/unit.v": UNIT for name in ("fast", "small", "sdram")}
-        result, _ = self.run_script(unit, "lint", "--config", "huge", "--build", "elsewhere")
-        self.assertIn("'fast', 'small' and 'thesis' are checked in, a build", result.stderr)
+
+    def test_boards_need_a_build(self) -> None:
+        result, _ = self.run_script({"rtl/link/link.v": UNIT.replace("unit", "link")}, "lint")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("lint: no build with hlsc is in ", result.stderr)
+        self.assertIn("; scripts/test --build-only makes one", result.stderr)
 
     def test_no_verilog_is_not_a_pass(self) -> None:
         copy_scripts(self.folder)
@@ -255,7 +257,7 @@ class Synth(Planted):
         result, _ = self.run_script({}, "synth", "--config", "huge")
         self.assertEqual(result.returncode, 1)
         self.assertIn(
-            "synth: there is no generated Verilog of configuration 'huge'; 'thesis' is checked",
+            "synth: --config huge: its Verilog is not checked in, and no build with hlsc is in ",
             result.stderr,
         )
 

@@ -14,19 +14,6 @@ OPTIONS = ("room", "uncertainty")  # of hlsc, which a unit states or not
 FIELDS = ("module", "header", "type", *OPTIONS)  # of a unit
 
 
-def find_build(named: pathlib.Path | None) -> pathlib.Path:
-    folders = [named] if named else [project.ROOT / "build" / p for p in ("release", "dev")]
-    for folder in folders:
-        if (folder / "hls/compiler/hlsc").is_file() and (
-            folder / "hls/units/list_units.txt"
-        ).is_file():
-            return folder
-    raise project.Failed(
-        f"no build with hlsc is in {' or '.join(map(str, folders))}; build the "
-        "target hlsc, or name a build's folder with --build"
-    )
-
-
 def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
     """The FIELDS of the configuration's units, by module. An option that is not stated is missing or
     empty."""

@@ -161,7 +161,9 @@ class Run:
     def _period(self) -> float:
         """Of the Verilog that is there already, where nothing else is placed."""
         if set(self.names) <= set(rtl_files.WHOLE):
-            return kept_placement.scheduled_for(rtl_files.generated(self.args))
+            return kept_placement.scheduled_for(
+                rtl_files.generated(self.args.config, self.args.build)
+            )
         return float(self.args.clock_ns)
 
     def place(self, build: pathlib.Path | None) -> None:
@@ -280,10 +282,12 @@ class Run:
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     """The names of the rows, and the build that lowers their units where there are any."""
     if set(args.unit) & set(rtl_files.WHOLE):
-        rtl_files.generated(args)  # ends here where there is no such configuration
+        rtl_files.generated(
+            args.config, args.build
+        )  # ends here where there is no such configuration
     if args.unit and all(name in rtl_files.WHOLE for name in args.unit):
         return list(dict.fromkeys(args.unit)), None
-    build = lowering.find_build(args.build)
+    build = rtl_files.find_build(args.build)
     units = lowering.units(build, args.config)
     if not units:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
@@ -293,7 +297,7 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
         f"; {' and '.join(rtl_files.WHOLE)} are the whole core and the board's top",
     )
     if not names and args.device == "ecp5-85":
-        rtl_files.generated(args)  # as above
+        rtl_files.generated(args.config, args.build)  # as above
         return [*units, rtl_files.CORE], build
     return names or list(units), build
 

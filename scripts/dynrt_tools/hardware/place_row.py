@@ -66,7 +66,7 @@ class Row:
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
     """A row with all that is known before the placer runs; without a subject there is no more."""
     if name in rtl_files.WHOLE:
-        files = rtl_files.library() + rtl_files.generated(args)
+        files = rtl_files.library() + rtl_files.generated(args.config, args.build)
         files += rtl_files.board() if name == rtl_files.BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
     assert build is not None  # units are of a build

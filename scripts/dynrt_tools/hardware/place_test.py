@@ -44,7 +44,7 @@ class Texts(unittest.TestCase):
 
     def test_no_build_is_said(self) -> None:
         with self.assertRaisesRegex(project.Failed, "no build with hlsc is in /nowhere"):
-            lowering.find_build(pathlib.Path("/nowhere"))
+            rtl_files.find_build(pathlib.Path("/nowhere"))
 
     def test_the_constraints_ask_for_no_clock(self) -> None:
         for device in placers.PLACERS:

@@ -5,23 +5,22 @@
 import argparse
 import pathlib
 import re
+import subprocess
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from dynrt_tools import project, unit_names
 
-# The configuration that the commands for hardware take. Its Verilog is checked in, as is that of some
-# others (cmake/HlsUnit.cmake).
+# The configuration that the commands for hardware take. Its Verilog is checked in, as is that of
+# `fast` (cmake/HlsUnit.cmake); all other Verilog of hlsc is in the folder of a build.
 CHECKED_IN = "thesis"
 ALL_GENERATED = project.ROOT / "rtl" / "generated"
 GENERATED = ALL_GENERATED / CHECKED_IN
-# The SDRAM's controller, which has no configuration (rtl/sdram).
-SDRAM = ALL_GENERATED / "sdram"
-# The units of the link to the host, by the bytes of a beat of the memory.
-LINKS = {16: ALL_GENERATED / "link16", 8: ALL_GENERATED / "link8"}
-# The units of the display that are the same for every configuration.
-DISPLAY = ALL_GENERATED / "display"
-BESIDE_CORES = (SDRAM, *LINKS.values(), DISPLAY)
+# What boards have beside a core, by its folder: the controller of the SDRAM, the encoder of the
+# display, and the link to the host, by the bytes of a beat of the memory.
+BESIDE_CORES = ("sdram", "display")
+LINKS = {16: "link16", 8: "link8"}
+FOR_BOARDS = "board_verilog"  # the target that makes these, and the cores with a port
 LIBRARY = project.ROOT / "rtl" / "lib"
 # The module that joins the units, and the one that counts their transactions.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
@@ -89,14 +88,16 @@ def hand_written() -> list[pathlib.Path]:
     return fitting(library() + board(), [])
 
 
-def sources(core: list[pathlib.Path]) -> list[pathlib.Path]:
-    """All Verilog that there is for the core in these files, which come with it."""
-    others = [file for folder in (SDRAM, link_of(core), DISPLAY) for file in units_in(folder)]
+def sources(core: list[pathlib.Path], made: pathlib.Path | None = None) -> list[pathlib.Path]:
+    """All Verilog that there is for the core in these files, which come with it; with the folder
+    `generated` of a build also that which hlsc made for boards."""
+    folders = [made / n for n in (*BESIDE_CORES, link_of(core))] if made else []
+    others = [file for folder in folders for file in units_in(folder)]
     return fitting(all_hand_written(), core) + others + core
 
 
-def link_of(core: Iterable[pathlib.Path]) -> pathlib.Path:
-    """The folder with the link for the core in these files; for one without a port, any."""
+def link_of(core: Iterable[pathlib.Path]) -> str:
+    """The link for the core in these files; for one without a port, any."""
     return LINKS.get(beat_bytes(core), LINKS[16])
 
 
@@ -148,6 +149,11 @@ def checked_in(config: str) -> pathlib.Path | None:
     return folder if folder.is_dir() else None
 
 
+def all_checked_in() -> list[str]:
+    """The configurations whose Verilog is checked in."""
+    return sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir())
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The flags that choose a configuration."""
     parser.add_argument(
@@ -156,37 +162,63 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help=f"configuration (default: {CHECKED_IN}, which is checked in)",
     )
+    add_build(parser)
+
+
+def add_build(parser: argparse.ArgumentParser) -> None:
+    """The flag that chooses a build."""
     parser.add_argument(
         "--build",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="the build that made the Verilog of the other configurations "
-        "(default: build/release, else build/dev)",
+        help="take Verilog that is not checked in from this build, as it is there (default: "
+        "build/release, else build/dev, which makes it first)",
     )
 
 
-def generated(args: argparse.Namespace) -> list[pathlib.Path]:
+def find_build(named: pathlib.Path | None) -> pathlib.Path:
+    """A full build: one that has hlsc."""
+    folders = [named] if named else [project.ROOT / "build" / p for p in ("release", "dev")]
+    for folder in folders:
+        hlsc, listed = folder / "hls/compiler/hlsc", folder / "hls/units/list_units.txt"
+        if hlsc.is_file() and listed.is_file():
+            return folder
+    raise project.Failed(
+        f"no build with hlsc is in {' or '.join(map(str, folders))}; scripts/test --build-only "
+        "makes one, or name a build's folder with --build"
+    )
+
+
+def made_by(named: pathlib.Path | None, target: str) -> pathlib.Path:
+    """The folder `generated` of a full build, in which a target is up to date; that of a build that
+    the user named stays as it is."""
+    build = named or find_build(None)
+    if not named:
+        project.show_progress(f"building {target} in {build}")
+        command = ["cmake", "--build", str(build), "--target", target]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        project.show_progress("")
+        if result.returncode != 0:
+            said = (result.stderr + result.stdout).strip().splitlines()
+            raise project.Failed(
+                f"'{' '.join(command)}' failed: {said[-1] if said else 'it says nothing'}"
+            )
+    return build / "generated"
+
+
+def generated(config: str, build: pathlib.Path | None) -> list[pathlib.Path]:
     """The Verilog that hlsc made of a configuration: checked in, or else from a build."""
-    builds = (
-        [args.build] if args.build else [project.ROOT / "build" / p for p in ("release", "dev")]
-    )
-    there = checked_in(args.config)
-    folders = ([there] if there else []) + [build / "generated" / args.config for build in builds]
-    files: list[pathlib.Path] = next((found for f in folders if (found := units_in(f))), [])
-    if not files:
-        names = [f"'{name}'" for name in all_checked_in()]
-        are = "is" if len(names) == 1 else "are"
-        project.fail(
-            f"there is no generated Verilog of configuration '{args.config}'; "
-            f"{project.enumerated(names)} {are} checked in, a build puts that of the others into "
-            f"{' or '.join(str(b) for b in builds)}"
-        )
+    if there := checked_in(config):
+        return units_in(there)
+    try:
+        folder = made_by(build, f"dynrt_{config}_core") / config
+    except project.Failed as error:
+        raise project.Failed(
+            f"--config {config}: its Verilog is not checked in, and {error}"
+        ) from error
+    if not (files := units_in(folder)):
+        raise project.Failed(f"--config {config}: there is no Verilog of it in {folder}")
     return files
-
-
-def all_checked_in() -> list[str]:
-    """The configurations whose Verilog is checked in."""
-    return sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f not in BESIDE_CORES)
 
 
 def include_folders(files: Iterable[pathlib.Path]) -> list[pathlib.Path]:

@@ -110,11 +110,26 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def chosen(args: argparse.Namespace, unit_files: list[pathlib.Path]) -> list[str]:
+def boards_of(args: argparse.Namespace, unit_files: list[pathlib.Path]) -> pathlib.Path | None:
+    """The folder with the Verilog of boards, where modules outside the core are named and there is
+    a build that makes it."""
+    units = rtl_files.headers(unit_files)
+    if set(args.unit) <= {*units, *units.values(), args.core}:
+        return None
+    try:
+        rtl_files.find_build(args.build)
+    except project.Failed:
+        return None
+    return rtl_files.made_by(args.build, rtl_files.FOR_BOARDS)
+
+
+def chosen(
+    args: argparse.Namespace, unit_files: list[pathlib.Path], files: list[pathlib.Path]
+) -> list[str]:
     """The modules to synthesize; throws Failed for a name that is none's."""
     units = sorted(m for m in synthesis.modules(unit_files) if m != args.core)
     names = args.unit or [*units, *([] if args.units_only else [args.core])]
-    known = synthesis.modules(rtl_files.sources(unit_files))
+    known = synthesis.modules(files)
     headers = {m: m for m in known} | rtl_files.headers(unit_files)
     return unit_names.all_modules_of(names, headers)
 
@@ -141,10 +156,10 @@ def main() -> int:  # pylint: disable=too-many-branches
         project.fail(error)
     if args.json:
         project.check_output("--json", args.json)
-    unit_files = rtl_files.generated(args)
-    files = rtl_files.sources(unit_files)
     try:
-        tops = chosen(args, unit_files)
+        unit_files = rtl_files.generated(args.config, args.build)
+        files = rtl_files.sources(unit_files, boards_of(args, unit_files))
+        tops = chosen(args, unit_files, files)
     except project.Failed as error:
         project.fail(error)
 
