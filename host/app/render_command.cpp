@@ -22,8 +22,8 @@
 #include "host/error.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
+#include "host/render/hit_json.h"
 #include "host/ulx3s/board_at_link.h"
-#include "host/view/hit_json.h"
 
 namespace dynrt::host {
 

@@ -141,49 +141,49 @@ SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) 
   return scene;
 }
 
-ViewStudio studio_of(const Arguments& arguments) {
-  ViewStudio studio;
-  studio.scene = arguments.scene.scene;
-  studio.choices = arguments.choices;
-  studio.choices.lights = arguments.scene.lights;
-  studio.choices.mirrors = arguments.scene.mirrors;
-  std::tie(studio.width, studio.height) = parse_size(arguments.scene.size);
-  check_size(studio.width, studio.height);
-  studio.camera = arguments.scene.camera();
+ViewServices services_of(const Arguments& arguments) {
+  ViewServices services;
+  services.scene = arguments.scene.scene;
+  services.choices = arguments.choices;
+  services.choices.lights = arguments.scene.lights;
+  services.choices.mirrors = arguments.scene.mirrors;
+  std::tie(services.width, services.height) = parse_size(arguments.scene.size);
+  check_size(services.width, services.height);
+  services.camera = arguments.scene.camera();
   // Configurations that are loaded are kept in a table that one thread at a time may use.
   const auto loading = std::make_shared<std::mutex>();
   const auto schedules = std::make_shared<Schedules>();
-  studio.board = [loading, schedules](ViewBoard kind, const ViewChoices& choices) {
+  services.board = [loading, schedules](ViewBoard kind, const ViewChoices& choices) {
     const std::lock_guard lock(*loading);
     const std::string name = configuration_of(choices);
     return open_board({kind == ViewBoard::kRtl ? "rtl" : "model", name, "",
                        kind == ViewBoard::kClocked ? schedules->of(name) : std::string()},
                       options_of(choices));
   };
-  studio.schedules = [schedules](const ViewChoices& choices) {
+  services.schedules = [schedules](const ViewChoices& choices) {
     return schedules->of(configuration_of(choices));
   };
-  studio.lower = [schedules](const ViewChoices& choices, const auto& tell) {
+  services.lower = [schedules](const ViewChoices& choices, const auto& tell) {
     const std::string name = configuration_of(choices);
     schedules->found(name, make_schedules(name, tell));
   };
-  studio.make = [](const ViewChoices& choices, const auto& tell) {
+  services.make = [](const ViewChoices& choices, const auto& tell) {
     make_ready(configurations(), configuration_of(choices), tell);
   };
-  studio.offers = offers();
-  studio.prepare = [&arguments, width = studio.width, height = studio.height](
-                       const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
+  services.offers = offers();
+  services.prepare = [&arguments, width = services.width, height = services.height](
+                         const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
     return prepare(scene_of(arguments, choices), width, height, &core, kept_trees());
   };
-  studio.clock = [&](const CoreInfo& core) { return arguments.clock.clock_of(core).json(); };
-  return studio;
+  services.clock = [&](const CoreInfo& core) { return arguments.clock.clock_of(core).json(); };
+  return services;
 }
 
 int record(const Arguments& arguments) {
   const Output outputs[] = {{"--export", arguments.exported}};
   check_outputs(outputs);
   const Progress progress("recording a frame");
-  const std::string page = recorded_view(studio_of(arguments));
+  const std::string page = recorded_view(services_of(arguments));
   write_text(arguments.exported, page);
   say(fmt::format("page        {}, {:.1f} MB\n", arguments.exported,
                   static_cast<double>(page.size()) / 1e6));
@@ -196,7 +196,7 @@ int run(const Arguments& arguments) {
   }
   arguments.clock.check();
   if (!arguments.exported.empty()) return record(arguments);
-  view(studio_of(arguments), {arguments.port, !arguments.no_browser, say});
+  view(services_of(arguments), {arguments.port, !arguments.no_browser, say});
   // Not by returning: that would wait for a frame that is being rendered.
   std::fflush(nullptr);
   std::_Exit(kDone);

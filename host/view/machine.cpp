@@ -26,16 +26,16 @@ Json units_of(const std::vector<std::string>& ports) {
 }
 
 /// The units at the ends of each channel, and how many tokens go between them.
-Json channels_json(const Still& still) {
+Json channels_json(const FullPicture& picture) {
   Json channels = Json::array();
-  for (const WatchedChannel& channel : still.watch->channels) {
+  for (const WatchedChannel& channel : picture.watch->channels) {
     const auto tokens =
-        std::ranges::find(still.watched->counters, channel.name + ".tokens", &Counter::name);
+        std::ranges::find(picture.watched->counters, channel.name + ".tokens", &Counter::name);
     channels.push_back(
         {{"name", channel.name},
          {"from", units_of(channel.from)},
          {"to", units_of(channel.to)},
-         {"tokens", tokens == still.watched->counters.end() ? Json() : Json(tokens->value)}});
+         {"tokens", tokens == picture.watched->counters.end() ? Json() : Json(tokens->value)}});
   }
   return channels;
 }
@@ -57,29 +57,29 @@ Json fifo_json(const FrameWatch& watch, const WatchedFifo& fifo, double cycles) 
           {"most", fifo.most}};
 }
 
-Json fifos_json(const Still& still) {
+Json fifos_json(const FullPicture& picture) {
   Json fifos = Json::array();
-  const auto cycles = static_cast<double>(still.watched->run.cycles.value_or(1));
-  for (const WatchedFifo& fifo : still.watch->fifos) {
-    fifos.push_back(fifo_json(*still.watch, fifo, cycles));
+  const auto cycles = static_cast<double>(picture.watched->run.cycles.value_or(1));
+  for (const WatchedFifo& fifo : picture.watch->fifos) {
+    fifos.push_back(fifo_json(*picture.watch, fifo, cycles));
   }
   return fifos;
 }
 
-/// What a unit waits for, in the course of the frame.
+/// What a unit waits for, over time.
 Json waits_json(const FrameWatch& watch, std::size_t unit) {
   Json waits = Json::array();
   for (const WatchedWait& wait : watch.waits) {
     if (wait.unit != unit) continue;
     waits.push_back(
-        {{"for", wait.for_room ? "room" : "token"}, {"fifo", wait.fifo}, {"clocks", wait.clocks}});
+        {{"for", wait.for_room ? "space" : "token"}, {"fifo", wait.fifo}, {"clocks", wait.clocks}});
   }
   return waits;
 }
 
-Json units_json(const Still& still) {
-  const FrameWatch& watch = *still.watch;
-  const Frame& frame = *still.watched;
+Json units_json(const FullPicture& picture) {
+  const FrameWatch& watch = *picture.watch;
+  const Frame& frame = *picture.watched;
   Json units = Json::array();
   for (std::size_t i = 0; i < watch.units.size(); ++i) {
     const auto count = [&](const char* what) -> std::optional<std::uint64_t> {
@@ -99,8 +99,8 @@ Json units_json(const Still& still) {
 
 }  // namespace
 
-Json machine_json(const Still& still, const Json& clock) {
-  const Frame& frame = *still.watched;
+Json machine_json(const FullPicture& picture, const Json& clock) {
+  const Frame& frame = *picture.watched;
   const FrameFigures figures = figures_of(frame, clock.at("mhz").get<double>() * 1e6);
   Json caches = Json::array();
   for (const CacheFigures& cache : figures.caches) {
@@ -109,7 +109,7 @@ Json machine_json(const Still& still, const Json& clock) {
                       {"misses", cache.misses},
                       {"hit_rate", cache.hit_rate}});
   }
-  return {{"number", still.number},
+  return {{"number", picture.number},
           {"configuration", frame.core.name},
           {"packets", frame.packets},
           {"lines", frame.lines},
@@ -119,10 +119,10 @@ Json machine_json(const Still& still, const Json& clock) {
           {"clock", clock},
           {"dropped_pushes", or_null(figures.dropped_pushes)},
           {"caches", caches},
-          {"part_clocks", still.watch->part_clocks},
-          {"units", units_json(still)},
-          {"channels", channels_json(still)},
-          {"fifos", fifos_json(still)}};
+          {"part_clocks", picture.watch->part_clocks},
+          {"units", units_json(picture)},
+          {"channels", channels_json(picture)},
+          {"fifos", fifos_json(picture)}};
 }
 
 }  // namespace dynrt::host

@@ -1,13 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures of what a frame took and how right it is, in place of its colours.
+// Maps of a picture: the work of each packet, the errors of the hits, distances and normals.
 #pragma once
 
 #include <span>
 
-#include "host/view/scenery.h"
-#include "host/view/still.h"
+#include "host/view/full_picture.h"
+#include "host/view/loaded_scene.h"
 
 namespace dynrt::host {
 
@@ -20,9 +20,9 @@ struct MapDefinition {
 
 std::span<const MapDefinition> view_maps();
 
-/// The head has "name", "kind", and of values "low" and "high"; the words are a float for each
-/// pixel, or its colour as the picture's pixels have it. Throws NotOurs for an unknown name. What
-/// is not known, such as the distance where nothing is hit, is not a number.
-Answer map_of(const Scenery& scenery, const Still& still, const std::string& name);
+/// The head has "name" and "kind"; a map of values also has "low" and "high". The words hold one
+/// float for each pixel, or its colour in the format of the picture. A value that is not known,
+/// such as the distance where nothing is hit, is NaN. Throws NotOurs for an unknown name.
+Answer map_of(const LoadedScene& loaded, const FullPicture& picture, const std::string& name);
 
 }  // namespace dynrt::host

@@ -99,19 +99,19 @@ unsigned count_of(const Json& question, const char* field) {
   return value.get<unsigned>();
 }
 
-Shot shot_of(const Json& question) {
-  Shot shot;
-  shot.from.position = vector_of(question, "position");
-  shot.from.look_at = vector_of(question, "look_at");
-  shot.from.up = vector_of(question, "up");
-  shot.from.field_of_view = number_of(question, "field_of_view");
-  shot.from.time = number_of(question, "time");
-  shot.width = count_of(question, "width");
-  shot.height = count_of(question, "height");
+PictureRequest picture_request_of(const Json& question) {
+  PictureRequest request;
+  request.from.position = vector_of(question, "position");
+  request.from.look_at = vector_of(question, "look_at");
+  request.from.up = vector_of(question, "up");
+  request.from.field_of_view = number_of(question, "field_of_view");
+  request.from.time = number_of(question, "time");
+  request.width = count_of(question, "width");
+  request.height = count_of(question, "height");
   if (!field_of(question, "moving").is_boolean()) not_ours("\"moving\" is neither true nor false");
-  shot.moving = question["moving"].get<bool>();
-  check_size(shot.width, shot.height);
-  return shot;
+  request.moving = question["moving"].get<bool>();
+  check_size(request.width, request.height);
+  return request;
 }
 
 ViewChoices choices_of(const Json& question) {

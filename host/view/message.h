@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the page asks and what it gets. A question is JSON, {"type": .., ..}. An answer is JSON too,
-// with numbers of 32 bits behind it where there are many, such as pixels.
+// The questions of the page and their answers. A question is JSON, {"type": .., ..}. An answer is
+// JSON too; large arrays, such as pixels, follow it as words of 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "host/view/scenery.h"
-#include "host/view/studio.h"
+#include "host/view/loaded_scene.h"
+#include "host/view/view_services.h"
 
 namespace dynrt::host {
 
@@ -27,22 +27,22 @@ struct Answer {
   Json head = Json::object();
   std::vector<std::uint32_t> words{};
 
-  /// The length of the head's text, the text filled up with spaces to whole words, the words; all
-  /// little-endian.
+  /// The answer as bytes, all little-endian: the length of the head's text, this text with spaces
+  /// to fill its last word, the words.
   std::string bytes() const;
 };
 
 /// A picture that the page asks for.
-struct Shot {
+struct PictureRequest {
   Viewpoint from;
   unsigned width = 0, height = 0;
-  bool moving = false;  ///< another one follows: no hit records are needed
+  bool moving = false;  ///< a coarse picture, which needs no hit records
 };
 
 /// Throws NotOurs for text that is no object with a "type".
 Json question_of(const std::string& text);
-/// Throw NotOurs for fields that lack or have another type.
-Shot shot_of(const Json& question);
+/// Throw NotOurs for a field that is missing or has another type.
+PictureRequest picture_request_of(const Json& question);
 ViewChoices choices_of(const Json& question);
 double number_of(const Json& question, const char* field);
 std::string text_of(const Json& question, const char* field);

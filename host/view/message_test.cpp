@@ -10,7 +10,7 @@
 namespace dynrt::host {
 namespace {
 
-Json a_shot() {
+Json a_request() {
   return {{"type", "frame"}, {"position", {1, 2, 3}},  {"look_at", {0, 0, 0.5}},
           {"up", {0, 1, 0}}, {"field_of_view", 40.25}, {"time", 0},
           {"width", 64},     {"height", 48},           {"moving", true}};
@@ -34,30 +34,30 @@ TEST(Question, HasAType) {
   }
 }
 
-TEST(Shot, IsReadAsItIs) {
-  const Shot shot = shot_of(a_shot());
-  EXPECT_EQ(shot.from.position, glm::dvec3(1, 2, 3));
-  EXPECT_EQ(shot.from.look_at, glm::dvec3(0, 0, 0.5));
-  EXPECT_EQ(shot.from.field_of_view, 40.25);
-  EXPECT_EQ(shot.width, 64u);
-  EXPECT_EQ(shot.height, 48u);
-  EXPECT_TRUE(shot.moving);
+TEST(PictureRequest, IsReadAsItIs) {
+  const PictureRequest request = picture_request_of(a_request());
+  EXPECT_EQ(request.from.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(request.from.look_at, glm::dvec3(0, 0, 0.5));
+  EXPECT_EQ(request.from.field_of_view, 40.25);
+  EXPECT_EQ(request.width, 64u);
+  EXPECT_EQ(request.height, 48u);
+  EXPECT_TRUE(request.moving);
 }
 
-TEST(Shot, LacksNoFieldAndHasNoOtherType) {
-  const Json whole = a_shot();
+TEST(PictureRequest, LacksNoFieldAndHasNoOtherType) {
+  const Json whole = a_request();
   for (const auto& [name, value] : whole.items()) {
     if (name == "type") continue;
-    Json without = a_shot();
+    Json without = a_request();
     without.erase(name);
-    EXPECT_THROW(shot_of(without), NotOurs) << name;
-    Json other = a_shot();
+    EXPECT_THROW(picture_request_of(without), NotOurs) << name;
+    Json other = a_request();
     other[name] = "x";
-    EXPECT_THROW(shot_of(other), NotOurs) << name;
+    EXPECT_THROW(picture_request_of(other), NotOurs) << name;
   }
-  Json large = a_shot();
+  Json large = a_request();
   large["width"] = 5000;
-  EXPECT_THROW(shot_of(large), UserError);
+  EXPECT_THROW(picture_request_of(large), UserError);
 }
 
 TEST(Choices, GoThereAndBack) {

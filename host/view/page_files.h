@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files of the page. Only these can be read through the server; they are read once, so that no
-// name in a request ever reaches the disk.
+// The files of the page. The server gives no other file. The program reads them once, so no name in
+// a request ever reaches the disk.
 #pragma once
 
 #include <map>

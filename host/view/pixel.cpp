@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/view/pixel.h"
 
-#include "host/view/hit_json.h"
+#include "host/render/hit_json.h"
 #include "host/view/way.h"
 
 namespace dynrt::host {
@@ -36,26 +36,27 @@ Json packet_json(const PacketWork& packet, const FrameWatch& watch, bool clocked
 
 }  // namespace
 
-Json pixel_json(const Scenery& scenery, const Still& still, unsigned x, unsigned y, bool way) {
-  const Scene& scene = scenery.image().scene;
-  const std::size_t pixel = still.index(x, y);
-  const auto primitive = still.primitive_at(pixel);
-  Json json = {{"number", still.number}, {"record", hit_json(still.frame, x, y)}};
+Json pixel_json(const LoadedScene& loaded, const FullPicture& picture, unsigned x, unsigned y,
+                bool way) {
+  const Scene& scene = loaded.image().scene;
+  const std::size_t pixel = picture.index(x, y);
+  const auto primitive = picture.primitive_at(pixel);
+  Json json = {{"number", picture.number}, {"record", hit_json(picture.frame, x, y)}};
   json["names"] = primitive ? names_json(scene, *primitive) : Json();
   json["truth"] = Json();
-  if (still.truth) {
-    const FrameRays rays{still.camera, still.shot.width, still.shot.height};
-    Json truth =
-        still.truth->pixel(rays, x, y, still.frame.hits[pixel], primitive, *scenery.core().format);
+  if (picture.truth) {
+    const FrameRays rays{picture.camera, picture.request.width, picture.request.height};
+    Json truth = picture.truth->pixel(rays, x, y, picture.frame.hits[pixel], primitive,
+                                      *loaded.core().format);
     if (truth["hit"] == true) {
       truth["names"] = names_json(scene, {truth["instance"], truth["primitive"]});
     }
     json["truth"] = std::move(truth);
   }
   json["packet"] = Json();
-  if (const PacketWork* packet = still.packet_at(x, y)) {
-    json["packet"] = packet_json(*packet, *still.watch, still.watched->run.cycles.has_value());
-    if (way) json["way"] = way_json(scenery, still, *packet);
+  if (const PacketWork* packet = picture.packet_at(x, y)) {
+    json["packet"] = packet_json(*packet, *picture.watch, picture.watched->run.cycles.has_value());
+    if (way) json["way"] = way_json(loaded, picture, *packet);
   }
   return json;
 }

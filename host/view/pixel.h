@@ -6,14 +6,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/view/scenery.h"
-#include "host/view/still.h"
+#include "host/view/full_picture.h"
+#include "host/view/loaded_scene.h"
 
 namespace dynrt::host {
 
-/// Its hit record with the names of what is hit, the truth beside it, and the way of its packet, as
-/// far as they are known. Places are in the file's space. `way`: with the way.
-nlohmann::ordered_json pixel_json(const Scenery& scenery, const Still& still, unsigned x,
+/// Its hit record with the names of what is hit, the true hit, and its packet; if `way`, the path
+/// of the packet too. Parts that are not known are null. Places are in the file's space.
+nlohmann::ordered_json pixel_json(const LoadedScene& loaded, const FullPicture& picture, unsigned x,
                                   unsigned y, bool way = true);
 
 }  // namespace dynrt::host

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "host/error.h"
-#include "host/view/hit_json.h"
+#include "host/render/hit_json.h"
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
 #include "host/view/view_messages.h"
@@ -55,7 +55,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   }
 }
 
-/// Nothing in it ends the element that it stands in.
+/// The text without sequences that would end its <script> element.
 std::string in_script(std::string text) {
   replace_all(text, "</script", "<\\/script");
   replace_all(text, "<!--", "<\\!--");
@@ -81,45 +81,45 @@ class Places {
   Json places_ = Json::array();
 };
 
-Json packets_json(const Scenery& scenery, const Still& still, Places& places) {
+Json packets_json(const LoadedScene& loaded, const FullPicture& picture, Places& places) {
   Json packets = Json::array();
-  for (const PacketWork& packet : still.watch->packets) {
-    Json way = way_json(scenery, still, packet);
+  for (const PacketWork& packet : picture.watch->packets) {
+    Json way = way_json(loaded, picture, packet);
     for (Json& step : way) places.shorten(step);
     packets.push_back(std::move(way));
   }
   return packets;
 }
 
-/// Of each pixel what the page gets when one asks for it; its way is that of its packet.
-Json pixels_json(const Scenery& scenery, const Still& still) {
+/// The answer for each pixel; its "way" is the number of its packet.
+Json pixels_json(const LoadedScene& loaded, const FullPicture& picture) {
   Json pixels = Json::array();
-  for (unsigned y = 0; y < still.shot.height; ++y) {
-    for (unsigned x = 0; x < still.shot.width; ++x) {
-      Json pixel = pixel_json(scenery, still, x, y, false);
-      pixel["way"] = still.packet_of[still.index(x, y)];
+  for (unsigned y = 0; y < picture.request.height; ++y) {
+    for (unsigned x = 0; x < picture.request.width; ++x) {
+      Json pixel = pixel_json(loaded, picture, x, y, false);
+      pixel["way"] = picture.packet_of[picture.index(x, y)];
       pixels.push_back(std::move(pixel));
     }
   }
   return pixels;
 }
 
-Answer recorded(const Scenery& scenery, const Still& still) {
+Answer recorded(const LoadedScene& loaded, const FullPicture& picture) {
   Answer answer;
-  answer.words = still.frame.pixels;
+  answer.words = picture.frame.pixels;
   Places places;
-  answer.head["pixels"] = pixels_json(scenery, still);
+  answer.head["pixels"] = pixels_json(loaded, picture);
   answer.head["columns"] = kHitColumns;
-  answer.head["packets"] = packets_json(scenery, still, places);
+  answer.head["packets"] = packets_json(loaded, picture, places);
   answer.head["places"] = places.all();
   answer.head["maps"] = Json::array();
   for (const MapDefinition& map : view_maps()) {
     try {
-      Answer drawn = map_of(scenery, still, map.name);
+      Answer drawn = map_of(loaded, picture, map.name);
       answer.head["maps"].push_back(std::move(drawn.head));
       answer.words.insert(answer.words.end(), drawn.words.begin(), drawn.words.end());
     } catch (const UserError&) {
-      // Not known here: without truth or without clocks the page does not offer it.
+      // The page offers no map that needs true hits or clocks which this build lacks.
     }
   }
   return answer;
@@ -146,10 +146,10 @@ void check_recorded_size(unsigned width, unsigned height) {
   if (std::uint64_t{width} * height > kMostRecordedPixels) refuse_size(width, height);
 }
 
-std::string recorded_page(const std::map<std::string, PageFile>& files, const Scenery& scenery,
-                          const Still& still, const Json& start, const Json& frame,
+std::string recorded_page(const std::map<std::string, PageFile>& files, const LoadedScene& loaded,
+                          const FullPicture& picture, const Json& start, const Json& frame,
                           const Json& machine) {
-  Answer answer = recorded(scenery, still);
+  Answer answer = recorded(loaded, picture);
   answer.head["start"] = start;
   answer.head["frame"] = frame;
   answer.head["machine"] = machine;
@@ -181,7 +181,7 @@ std::string recorded_page(const std::map<std::string, PageFile>& files, const Sc
                              "<script type=\"module\">import \"view/main.js\";</script>\n</body>",
                              base64(packed(answer.bytes()))));
   if (page.size() > kMostRecordedBytes) {
-    refuse_size(still.shot.width, still.shot.height);
+    refuse_size(picture.request.width, picture.request.height);
   }
   return page;
 }

@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one thread that renders: what the threads of the server ask is done there, one after the
-// other.
+// The one thread that renders. It runs the tasks of the server's threads one after the other.
 #pragma once
 
 #include <atomic>
@@ -20,7 +19,7 @@ namespace dynrt::host {
 class RenderingThread {
  public:
   RenderingThread() : thread_([this] { work(); }) {}
-  /// Waits for what has been begun; the rest is not done.
+  /// Waits for the task that runs; tasks that wait are dropped.
   ~RenderingThread() {
     {
       const std::lock_guard lock(mutex_);
@@ -30,8 +29,8 @@ class RenderingThread {
     thread_.join();
   }
 
-  /// Gives what `act` gives, or throws what it throws. While one that is urgent waits, urgent() is
-  /// not 0.
+  /// Returns the result of `act`, or throws its exception. urgent() counts the urgent tasks that
+  /// wait.
   template <class Act>
   auto run(bool is_urgent, Act act) {
     auto task = std::make_shared<std::packaged_task<decltype(act())()>>(std::move(act));
@@ -67,7 +66,7 @@ class RenderingThread {
   std::deque<std::function<void()>> waiting_;
   bool over_ = false;
   std::atomic<unsigned> urgent_ = 0;
-  std::thread thread_;  ///< the last, as it begins with all others there
+  std::thread thread_;  ///< the last member, as it uses all others from its start
 };
 
 }  // namespace dynrt::host

@@ -17,7 +17,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kLoopback[] = "127.0.0.1";
-constexpr unsigned kPorts = 100;  ///< that are tried
+constexpr unsigned kPorts = 100;  ///< tries so many ports
 constexpr std::size_t kLongestQuestion = 1 << 20;
 
 constexpr int kRefused = 400, kForeign = 403, kMissing = 404, kMistaken = 422, kFailed = 500;
@@ -27,7 +27,7 @@ void refuse_request(httplib::Response& response, int status, const std::string& 
   response.set_content(Json{{"error", sentence}}.dump(), "application/json");
 }
 
-/// Two programs must not listen on one port: the library's own options would allow it.
+/// The library's own options would let two programs listen on one port.
 void keep_port_alone(int socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);

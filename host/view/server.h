@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The server of the window: on the loopback address, for pages that it has served itself. It gives
-// the page's files and answers the page's questions.
+// The web server of the window, on the loopback address. It gives the page's files, and answers the
+// questions of pages that it has served itself.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ namespace dynrt::host {
 
 class ViewServer {
  public:
-  /// `answer` throws as Session::answer does; threads call it at the same time. Throws UserError if
-  /// no port is free.
+  /// `answer` throws as Session::answer does; several threads may call it at once. Throws UserError
+  /// if no port is free.
   ViewServer(std::map<std::string, PageFile> files, unsigned port,
              std::function<Answer(const Json&)> answer);
   ~ViewServer();

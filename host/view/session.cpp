@@ -12,7 +12,7 @@
 
 #include "host/format/configuration_json.h"
 #include "host/render/compare.h"
-#include "host/view/hit_json.h"
+#include "host/render/hit_json.h"
 #include "host/view/machine.h"
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Clocks without a pixel or an interrupt, after which a frame is given up.
+/// A frame fails after so many clocks without a pixel or an interrupt.
 constexpr std::uint64_t kPatience = 10'000'000;
 
 double seconds_since(Clock::time_point begin) {
@@ -69,8 +69,8 @@ Json maps_json() {
 Answer Session::answer(const Json& question) {
   const std::string type = question.at("type");
   if (type == "open") return open(choices_of(question));
-  if (type == "start") return open(room_ ? room_->choices : studio_.choices);
-  if (type == "frame") return frame(shot_of(question));
+  if (type == "start") return open(setup_ ? setup_->choices : services_.choices);
+  if (type == "frame") return frame(picture_request_of(question));
   if (type == "examine") return examine(question);
   if (type == "pixel") return pixel(question);
   if (type == "map") return map(question);
@@ -79,210 +79,213 @@ Answer Session::answer(const Json& question) {
   throw NotOurs(fmt::format(messages::kNotOurMessage, "its type is unknown"));
 }
 
-Session::Room& Session::room() {
-  if (!room_) open(studio_.choices);
-  return *room_;
+Session::Setup& Session::setup() {
+  if (!setup_) open(services_.choices);
+  return *setup_;
 }
 
 Answer Session::open(const ViewChoices& choices) {
-  if (!room_ || room_->choices != choices) {
-    auto first = studio_.board(ViewBoard::kModel, choices);
-    auto second = studio_.board(ViewBoard::kModel, choices);
-    MemoryImage image = studio_.prepare(choices, first->core());
-    room_ =
-        std::make_unique<Room>(Room{.choices = choices,
-                                    .easels = {Easel(std::move(first)), Easel(std::move(second))},
-                                    .clocked = nullptr,
-                                    .schedules = {},
-                                    .scenery = Scenery(std::move(image)),
-                                    .truth = nullptr,
-                                    .truth_time = {},
-                                    .still = {}});
+  if (!setup_ || setup_->choices != choices) {
+    auto first = services_.board(ViewBoard::kModel, choices);
+    auto second = services_.board(ViewBoard::kModel, choices);
+    MemoryImage image = services_.prepare(choices, first->core());
+    setup_ = std::make_unique<Setup>(
+        Setup{.choices = choices,
+              .renderers = {Renderer(std::move(first)), Renderer(std::move(second))},
+              .clocked = nullptr,
+              .schedules = {},
+              .loaded = LoadedScene(std::move(image)),
+              .truth = nullptr,
+              .truth_time = {},
+              .picture = {}});
     ++opened_;
   }
-  const Scenery& scenery = room_->scenery;
-  const MemoryImage& image = scenery.image();
+  const LoadedScene& loaded = setup_->loaded;
+  const MemoryImage& image = loaded.image();
   const Box box = bounds(image.scene);
   Answer answer;
-  answer.head = {{"scene", studio_.scene},
-                 {"width", studio_.width},
-                 {"height", studio_.height},
-                 {"choices", json_of(room_->choices)},
+  answer.head = {{"scene", services_.scene},
+                 {"width", services_.width},
+                 {"height", services_.height},
+                 {"choices", json_of(setup_->choices)},
                  {"opened", opened_},
-                 {"first", json_of(scenery.first())},
-                 {"seconds", scenery.seconds()},
-                 {"has_path", scenery.on_path(0).has_value()},
+                 {"first", json_of(loaded.first())},
+                 {"seconds", loaded.seconds()},
+                 {"has_path", loaded.on_path(0).has_value()},
                  {"low", json_of(image.space.outside(box.low))},
                  {"high", json_of(image.space.outside(box.high))},
                  {"notes", image.scene.notes},
                  {"maps", maps_json()},
-                 {"offers", studio_.offers},
-                 {"core", json_of(static_cast<const CoreConfiguration&>(scenery.core()))},
-                 {"least_lines", scenery.core().least_lines()},
+                 {"offers", services_.offers},
+                 {"core", json_of(static_cast<const CoreConfiguration&>(loaded.core()))},
+                 {"least_lines", loaded.core().least_lines()},
                  {"scene_lights", scene_lights(image)},
                  {"materials", materials(image.scene)},
-                 {"clock", studio_.clock(scenery.core())}};
+                 {"clock", services_.clock(loaded.core())}};
   return answer;
 }
 
-FrameOptions Session::options_of(const Shot& shot) const {
-  return {.width = shot.width,
-          .height = shot.height,
-          .packets = room_->choices.packets,
-          .lines = room_->choices.lines,
-          .reflections = room_->choices.reflections,
-          .hits = !shot.moving};
+FrameOptions Session::options_of(const PictureRequest& request) const {
+  return {.width = request.width,
+          .height = request.height,
+          .packets = setup_->choices.packets,
+          .lines = setup_->choices.lines,
+          .reflections = setup_->choices.reflections,
+          .hits = !request.moving};
 }
 
-Answer Session::frame(const Shot& shot) {
+Answer Session::frame(const PictureRequest& request) {
   const auto begin = Clock::now();
-  room().scenery.move(shot.from.time);
-  const Frame frame = shot.moving ? in_two_parts(shot) : whole(shot);
-  if (!shot.moving) keep_still(shot, frame);
+  setup().loaded.move(request.from.time);
+  const Frame frame = request.moving ? in_two_parts(request) : whole(request);
+  if (!request.moving) keep_picture(request, frame);
   Answer answer;
-  answer.head = {{"width", shot.width},
-                 {"height", shot.height},
-                 {"moving", shot.moving},
+  answer.head = {{"width", request.width},
+                 {"height", request.height},
+                 {"moving", request.moving},
                  {"seconds", seconds_since(begin)},
-                 {"hits", shot.moving ? Json() : Json(frame.hit_count())},
-                 {"number", frames_},
+                 {"hits", request.moving ? Json() : Json(frame.hit_count())},
+                 {"number", pictures_},
                  {"opened", opened_}};
   answer.words = frame.pixels;
   return answer;
 }
 
-Frame Session::whole(const Shot& shot) {
-  const Scenery& scenery = room_->scenery;
-  const Camera camera = scenery.camera(shot.from, shot.width, shot.height);
-  return room_->easels[0].render(scenery, scenery.frame(camera, shot.width, shot.height),
-                                 options_of(shot));
+Frame Session::whole(const PictureRequest& request) {
+  const LoadedScene& loaded = setup_->loaded;
+  const Camera camera = loaded.camera(request.from, request.width, request.height);
+  return setup_->renderers[0].render(loaded, loaded.frame(camera, request.width, request.height),
+                                     options_of(request));
 }
 
-void Session::keep_still(const Shot& shot, const Frame& frame) {
-  const Scenery& scenery = room_->scenery;
-  const MemoryImage& memory = scenery.image();
-  const Camera camera = scenery.camera(shot.from, shot.width, shot.height);
-  FrameImage image = scenery.frame(camera, shot.width, shot.height);
+void Session::keep_picture(const PictureRequest& request, const Frame& frame) {
+  const LoadedScene& loaded = setup_->loaded;
+  const MemoryImage& memory = loaded.image();
+  const Camera camera = loaded.camera(request.from, request.width, request.height);
+  FrameImage image = loaded.frame(camera, request.width, request.height);
   MatrixOwners owners(memory.scene, memory.objects, image);
-  room_->still.emplace(Still{.number = ++frames_,
-                             .shot = shot,
-                             .camera = camera,
-                             .image = std::move(image),
-                             .frame = frame,
-                             .owners = std::move(owners)});
+  setup_->picture.emplace(FullPicture{.number = ++pictures_,
+                                      .request = request,
+                                      .camera = camera,
+                                      .image = std::move(image),
+                                      .frame = frame,
+                                      .owners = std::move(owners)});
 }
 
-Still& Session::still() {
-  // Coarse frames of another moment may have moved the scene since.
-  if (!room().still) refuse(messages::kNoStill);
-  room_->scenery.move(room_->still->shot.from.time);
-  return *room_->still;
+FullPicture& Session::picture() {
+  // Coarse pictures of another moment may have moved the scene since.
+  if (!setup().picture) refuse(messages::kNoPicture);
+  setup_->loaded.move(setup_->picture->request.from.time);
+  return *setup_->picture;
 }
 
 void Session::find_truth() {
-  Still& now = still();
-  if (room_->truth_time != now.shot.from.time) {
-    room_->truth = ViewTruth::of(room_->scenery.image().scene);
-    room_->truth_time = now.shot.from.time;
+  FullPicture& now = picture();
+  if (setup_->truth_time != now.request.from.time) {
+    setup_->truth = ViewTruth::of(setup_->loaded.image().scene);
+    setup_->truth_time = now.request.from.time;
   }
-  now.truth = room_->truth;
+  now.truth = setup_->truth;
 }
 
-Still& Session::still(const Json& question) {
-  Still& now = still();
-  if (count_of(question, "number") != now.number) refuse(messages::kOtherStill);
+FullPicture& Session::picture(const Json& question) {
+  FullPicture& now = picture();
+  if (count_of(question, "number") != now.number) refuse(messages::kOtherPicture);
   return now;
 }
 
-Easel& Session::clocked(Still& now) {
-  if (std::string schedules = studio_.schedules(room_->choices); room_->schedules != schedules) {
-    room_->schedules = std::move(schedules);
-    room_->clocked = nullptr;
+Renderer& Session::clocked(FullPicture& now) {
+  if (std::string schedules = services_.schedules(setup_->choices);
+      setup_->schedules != schedules) {
+    setup_->schedules = std::move(schedules);
+    setup_->clocked = nullptr;
     now.watch.reset();
   }
-  if (!room_->clocked) {
-    room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kClocked, room_->choices));
+  if (!setup_->clocked) {
+    setup_->clocked =
+        std::make_unique<Renderer>(services_.board(ViewBoard::kClocked, setup_->choices));
   }
-  return *room_->clocked;
+  return *setup_->clocked;
 }
 
 Answer Session::examine(const Json& question) {
-  Still& now = still(question);
+  FullPicture& now = picture(question);
   try {
-    Easel& easel = clocked(now);
-    if (now.watch) return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
-    return {.head = watch(now, easel)};
+    Renderer& renderer = clocked(now);
+    if (now.watch) return {.head = machine_json(now, services_.clock(setup_->loaded.core()))};
+    return {.head = watch(now, renderer)};
   } catch (const UserError&) {
-    // The schedules are those of other sources: then without clocks.
-    room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kModel, room_->choices));
-    return {.head = watch(now, *room_->clocked)};
+    // The schedules were made from other sources, so the clocks are not known.
+    setup_->clocked =
+        std::make_unique<Renderer>(services_.board(ViewBoard::kModel, setup_->choices));
+    return {.head = watch(now, *setup_->clocked)};
   }
 }
 
-Json Session::watch(Still& now, Easel& easel) {
+Json Session::watch(FullPicture& now, Renderer& renderer) {
   constexpr unsigned kParts = 256;
   FrameWatch watch{.ways = true, .parts = kParts, .stop = &urgent_};
-  easel.board().observe(&watch);
+  renderer.board().observe(&watch);
   try {
-    Frame frame = easel.render(room_->scenery, now.image, options_of(now.shot));
-    easel.board().observe(nullptr);
+    Frame frame = renderer.render(setup_->loaded, now.image, options_of(now.request));
+    renderer.board().observe(nullptr);
     now.keep(std::move(watch), std::move(frame));
   } catch (const FrameStopped&) {
-    easel.board().observe(nullptr);
+    renderer.board().observe(nullptr);
     return {{"stopped", true}};
   } catch (...) {
-    easel.board().observe(nullptr);
+    renderer.board().observe(nullptr);
     throw;
   }
-  return machine_json(now, studio_.clock(room_->scenery.core()));
+  return machine_json(now, services_.clock(setup_->loaded.core()));
 }
 
 Answer Session::pixel(const Json& question) {
   const unsigned x = count_of(question, "x"), y = count_of(question, "y");
-  const Still& now = still(question);
-  if (x >= now.shot.width || y >= now.shot.height) {
-    refuse(messages::kNoPixel, x, y, now.shot.width, now.shot.height);
+  const FullPicture& now = picture(question);
+  if (x >= now.request.width || y >= now.request.height) {
+    refuse(messages::kNoPixel, x, y, now.request.width, now.request.height);
   }
   find_truth();
-  return {.head = pixel_json(room_->scenery, now, x, y)};
+  return {.head = pixel_json(setup_->loaded, now, x, y)};
 }
 
 Answer Session::map(const Json& question) {
   const std::string name = text_of(question, "name");
-  const Still& now = still(question);
+  const FullPicture& now = picture(question);
   if (name == "wrong") find_truth();
-  return map_of(room_->scenery, now, name);
+  return map_of(setup_->loaded, now, name);
 }
 
 Answer Session::on_path(const Json& question) {
-  const auto from = room().scenery.on_path(number_of(question, "time"));
+  const auto from = setup().loaded.on_path(number_of(question, "time"));
   return {.head = {{"from", from ? json_of(*from) : Json()}}};
 }
 
 Answer Session::csv(const Json& question) {
-  const Still& now = still(question);
+  const FullPicture& now = picture(question);
   return {.head = {{"number", now.number}, {"csv", hit_table(now.frame)}}};
 }
 
 std::string Session::record(const std::map<std::string, PageFile>& files) {
-  check_recorded_size(studio_.width, studio_.height);
-  const Json start = open(studio_.choices).head;
-  const Shot shot{room_->scenery.first(), studio_.width, studio_.height, false};
-  const Json frame_head = frame(shot).head;
-  if (studio_.schedules(studio_.choices).empty()) {
+  check_recorded_size(services_.width, services_.height);
+  const Json start = open(services_.choices).head;
+  const PictureRequest request{setup_->loaded.first(), services_.width, services_.height, false};
+  const Json frame_head = frame(request).head;
+  if (services_.schedules(services_.choices).empty()) {
     try {
-      studio_.lower(studio_.choices, [](const std::string&) {});
+      services_.lower(services_.choices, [](const std::string&) {});
     } catch (const UserError&) {
       // The frame is recorded without clocks.
     }
   }
-  const Json machine = examine({{"number", frames_}}).head;
+  const Json machine = examine({{"number", pictures_}}).head;
   find_truth();
-  return recorded_page(files, room_->scenery, still(), start, frame_head, machine);
+  return recorded_page(files, setup_->loaded, picture(), start, frame_head, machine);
 }
 
-Workshop::Job Session::comparison(const Json& question) {
-  const Still& now = still(question);
+JobRunner::Job Session::comparison(const Json& question) {
+  const FullPicture& now = picture(question);
   struct Task {
     ViewChoices choices;
     std::vector<MemoryRun> memory;
@@ -292,11 +295,11 @@ Workshop::Job Session::comparison(const Json& question) {
     unsigned number;
   };
   auto task =
-      std::make_shared<Task>(Task{room_->choices, room_->scenery.image().objects.memory.runs(),
-                                  now.image, options_of(now.shot), now.frame, now.number});
+      std::make_shared<Task>(Task{setup_->choices, setup_->loaded.image().objects.memory.runs(),
+                                  now.image, options_of(now.request), now.frame, now.number});
   std::ranges::move(now.image.memory.runs(), std::back_inserter(task->memory));
   task->options.timeout = kPatience;
-  return [task, board_of = studio_.board](const Workshop::Tell& tell) -> Json {
+  return [task, board_of = services_.board](const JobRunner::Tell& tell) -> Json {
     tell("opening the board");
     const auto board = board_of(ViewBoard::kRtl, task->choices);
     const auto pixels = task->model.pixels.size();
@@ -317,24 +320,24 @@ Workshop::Job Session::comparison(const Json& question) {
   };
 }
 
-Frame Session::in_two_parts(const Shot& shot) {
+Frame Session::in_two_parts(const PictureRequest& request) {
   constexpr unsigned kRowsOfPackets = 4;
   const auto upper =
-      static_cast<unsigned>(std::lround(upper_ * shot.height / kRowsOfPackets)) * kRowsOfPackets;
-  if (upper == 0 || upper >= shot.height) return whole(shot);
-  const Scenery& scenery = room_->scenery;
-  const Camera camera = scenery.camera(shot.from, shot.width, shot.height);
+      static_cast<unsigned>(std::lround(upper_ * request.height / kRowsOfPackets)) * kRowsOfPackets;
+  if (upper == 0 || upper >= request.height) return whole(request);
+  const LoadedScene& loaded = setup_->loaded;
+  const Camera camera = loaded.camera(request.from, request.width, request.height);
   std::array<Frame, 2> parts;
   std::array<double, 2> seconds{};
   std::exception_ptr failed;
   const auto draw = [&](std::size_t i) {
     const auto begin = Clock::now();
-    FrameOptions options = options_of(shot);
-    options.height = i == 0 ? upper : shot.height - upper;
-    const Camera part = part_of(camera, i == 0 ? 0 : static_cast<double>(upper) / shot.height,
-                                static_cast<double>(options.height) / shot.height);
-    parts[i] = room_->easels[i].render(scenery, scenery.frame(part, options.width, options.height),
-                                       options);
+    FrameOptions options = options_of(request);
+    options.height = i == 0 ? upper : request.height - upper;
+    const Camera part = part_of(camera, i == 0 ? 0 : static_cast<double>(upper) / request.height,
+                                static_cast<double>(options.height) / request.height);
+    parts[i] = setup_->renderers[i].render(
+        loaded, loaded.frame(part, options.width, options.height), options);
     seconds[i] = seconds_since(begin);
   };
   std::thread second([&] {

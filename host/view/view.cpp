@@ -48,8 +48,8 @@ void catch_signals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-/// Debian's xdg-open knows the user's browser. It may be missing, or there is no display; it may
-/// also stay until the browser is closed.
+/// Opens the user's browser with xdg-open, which fails without a display, may be missing, and may
+/// run until the browser is closed.
 void open_browser(const std::string& address, const std::function<void()>& failed) {
   std::string program = "xdg-open", where = address;
   char* const arguments[] = {program.data(), where.data(), nullptr};
@@ -71,40 +71,40 @@ void open_browser(const std::string& address, const std::function<void()>& faile
 
 }  // namespace
 
-std::string recorded_view(ViewStudio studio) {
+std::string recorded_view(ViewServices services) {
   const std::atomic<unsigned> nothing_urgent = 0;
-  return Session(std::move(studio), nothing_urgent).record(page_files());
+  return Session(std::move(services), nothing_urgent).record(page_files());
 }
 
-void view(ViewStudio studio, const ViewWindow& window) {
+void view(ViewServices services, const ViewWindow& window) {
   // They outlive this function: a thread may be rendering when it returns.
-  auto& renderer = *new RenderingThread;
-  auto& workshop = *new Workshop;
-  auto& lowering = *new Workshop;
-  const auto make = studio.make, lower = studio.lower;
-  auto& session = *new Session(std::move(studio), renderer.urgent());
-  const auto begin = [](Workshop& place, const char* what, const auto& act,
+  auto& rendering = *new RenderingThread;
+  auto& jobs = *new JobRunner;
+  auto& lowering = *new JobRunner;
+  const auto make = services.make, lower = services.lower;
+  auto& session = *new Session(std::move(services), rendering.urgent());
+  const auto begin = [](JobRunner& runner, const char* what, const auto& act,
                         const Json& question) -> Answer {
     const ViewChoices choices = choices_of(question);
-    const unsigned job = place.start(fmt::format("{} {}", what, choices.configuration),
-                                     [act, choices](const Workshop::Tell& tell) -> Json {
-                                       act(choices, tell);
-                                       return json_of(choices);
-                                     });
+    const unsigned job = runner.start(fmt::format("{} {}", what, choices.configuration),
+                                      [act, choices](const JobRunner::Tell& tell) -> Json {
+                                        act(choices, tell);
+                                        return json_of(choices);
+                                      });
     return {.head = {{"job", job}}};
   };
   const auto answer = [&, make, lower, begin](const Json& question) -> Answer {
     const std::string type = question.at("type");
-    if (type == "progress") return Answer{.head = workshop.progress()};
+    if (type == "progress") return Answer{.head = jobs.progress()};
     if (type == "lowering") return Answer{.head = lowering.progress()};
-    if (type == "make") return begin(workshop, "configuration", make, question);
+    if (type == "make") return begin(jobs, "configuration", make, question);
     if (type == "lower") return begin(lowering, "the units of", lower, question);
     if (type == "compare") {
-      Workshop::Job job = renderer.run(true, [&] { return session.comparison(question); });
-      return Answer{.head = {{"job", workshop.start("the frame through the RTL", std::move(job))}}};
+      JobRunner::Job job = rendering.run(true, [&] { return session.comparison(question); });
+      return Answer{.head = {{"job", jobs.start("the frame through the RTL", std::move(job))}}};
     }
     const bool urgent = type == "frame" || type == "open" || type == "pixel";
-    return renderer.run(urgent, [&] { return session.answer(question); });
+    return rendering.run(urgent, [&] { return session.answer(question); });
   };
   answer({{"type", "start"}});  // a mistake in the scene ends the program here
   auto& server = *new ViewServer(page_files(), window.port, answer);

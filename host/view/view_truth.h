@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the rays of a frame really hit, beside what the core has found. A build without the
-// libraries of the analysis has no truth.
+// The true hits of a frame's rays, to compare the core's hits with. A build without CGAL and Embree
+// cannot compute them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace dynrt::host {
 
-/// A core's hit beside the truth.
+/// How a core's hit compares with the true one.
 enum class Verdict : std::uint8_t { kRight, kOther, kMissed, kNothingThere };
 
 /// The rays of a frame, through the centres of its pixels.
@@ -31,7 +31,7 @@ struct FrameRays {
 class ViewTruth {
  public:
   virtual ~ViewTruth() = default;
-  /// The scene must not change. Null in a build that has no truth.
+  /// The scene must not change. Null in a build that cannot compute true hits.
   static std::unique_ptr<ViewTruth> of(const Scene& scene);
 
   /// The true hit of a pixel; where the core hits the same primitive, the distances of its numbers

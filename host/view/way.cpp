@@ -15,8 +15,8 @@ constexpr std::array kEvents = {"rays", "node", "list", "entry", "box", "object"
 /// Follows a packet's steps and knows where each node lies.
 class Guide {
  public:
-  Guide(const Scenery& scenery, const Still& still)
-      : image_(scenery.image()), frame_(still.image), owners_(still.owners) {
+  Guide(const LoadedScene& loaded, const FullPicture& picture)
+      : image_(loaded.image()), frame_(picture.image), owners_(picture.owners) {
     enter_world();
   }
 
@@ -45,7 +45,7 @@ class Guide {
   }
 
  private:
-  /// The tree that is walked: its nodes' boxes as far as their parents were met.
+  /// A tree, and the boxes of those nodes whose parents the packet has met.
   struct Level {
     glm::dmat4 to_world{1.0};  ///< of the core's space
     Aabb box{};
@@ -131,8 +131,8 @@ class Guide {
 
 }  // namespace
 
-Json way_json(const Scenery& scenery, const Still& still, const PacketWork& packet) {
-  Guide guide(scenery, still);
+Json way_json(const LoadedScene& loaded, const FullPicture& picture, const PacketWork& packet) {
+  Guide guide(loaded, picture);
   Json way = Json::array();
   for (const PacketStep& step : packet.way) way.push_back(guide.step(step));
   return way;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The program alone is built without the libraries that find the truth.
+// For the build of the program alone, which has neither CGAL nor Embree.
 #include "host/view/view_truth.h"
 
 namespace dynrt::host {

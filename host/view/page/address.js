@@ -1,15 +1,15 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is seen and chosen, in the part of the address behind "#": a link shows somebody else the
-// same.
+// The view and the choices in the part of the address behind "#", so that a link shows somebody else
+// the same.
 
 const vectors = ["position", "look_at", "up"];
 const numbers = ["field_of_view", "time"];
 const counts = ["mantissa_bits", "packets", "lines", "reflections"];
 const texts = ["lights", "mirrors"];
 
-/// {from, choices, map, pixel}: only what the address states.
+/// {from, choices, map, pixel}: only the parts that the address states.
 export function read_address(hash = location.hash) {
   const given = new URLSearchParams(hash.replace(/^#/, ""));
   const from = {}, choices = {};

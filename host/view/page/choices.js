@@ -89,7 +89,7 @@ export class ChoicesPanel {
     return this.row(this.choices.configuration, this.core.mantissa_bits)?.LUT ?? null;
   }
 
-  /// How error, clocks and cells change with the number format and the configuration.
+  /// How error, time and LUTs change with the number format and the configuration.
   figures() {
     const [report] = Object.values(this.offers.errors);
     if (!report) return [];
@@ -105,9 +105,9 @@ export class ChoicesPanel {
         ? `${shown(+row[name].toPrecision(6))} (${(100 * row[name] / base[name]).toFixed(0)} %)`
         : shown(row[name]);
     return [
-      make("h2", {}, "What number format and configuration change"),
+      make("h2", {}, "Effect of the number format and the configuration"),
       make("p", {class: "faint"}, `From the last error reports: ${report.scene} at ${report.size} on ` +
-           `${report.device}; in brackets, of the chosen core's.`),
+           `${report.device}; in brackets: the share of the chosen core.`),
       table(["", "bits", "wrong hits", "LUT", "ms a frame"], rows.map(({name, bits, row}) =>
           [name, bits, `${(100 * row["primary.wrong_share"]).toPrecision(3)} %`, ratio(row, "LUT"),
            ratio(row, "frame, ms")])),

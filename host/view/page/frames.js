@@ -1,13 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stream of frames: coarse ones while something moves, as fast as the program draws them, and a
-// whole one when all stands still.
+// The stream of pictures: coarse ones while something moves, as fast as the program draws them, and a
+// full one when nothing moves.
 import {ask} from "./ask.js";
 
 const scales = [1, 0.75, 0.5, 0.375, 0.25];
 const longest = 1000 / 17;  // ms a frame while moving, so that there are 15 a second
-const rest = 140;           // ms without a change, after which all stands still
+const rest = 140;           // after so many ms without a change nothing moves
 
 export class Frames {
   /// `shown` gets each frame, `failed` each refusal.

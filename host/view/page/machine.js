@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The panel of the machine: its units with their use and their FIFOs, what the chosen unit waits
-// for, the caches, and the course of the frame.
-import {course_of} from "./course.js";
+// The panel of the machine: the units with their use and their FIFOs, the waits of the chosen unit,
+// the caches, and the timeline of the frame.
+import {timeline_of} from "./timeline.js";
 import {by_id, make, percent, shown, table} from "./elements.js";
 import {add_shares, fifo_text, fifos_within, wait_text} from "./flow.js";
 
@@ -58,13 +58,13 @@ export class MachinePanel {
     this.detail = make("div", {id: "unit-detail", role: "status"});
     this.panel.replaceChildren(
         make("p", {id: "core-speed"}, cycles
-            ? `${shown(cycles)} clocks, ${machine.frames_per_second.toFixed(1)} frames a second at ` +
+            ? `${shown(cycles)} clocks, ${machine.frames_per_second.toFixed(1)} frames/s at ` +
               `${clock.mhz} MHz, ${shown(machine.rays_per_clock)} rays a clock`
-            : "the clocks are not known: the schedules of this configuration are not there"),
+            : "The clocks are not known, as this configuration has no schedules."),
         make("div", {class: "halves"},
             make("div", {}, ...this.units(machine)),
-            make("div", {}, make("h2", {}, "In the course of the frame"),
-                 course_of(machine, (unit) => this.choose(unit)),
+            make("div", {}, make("h2", {}, "Timeline of the frame"),
+                 timeline_of(machine, (unit) => this.choose(unit)),
                  make("h2", {}, "Caches"),
                  table(["", "lookups", "misses", "hits"], machine.caches.map((cache) =>
                      [cache.name, cache.lookups, cache.misses, percent(cache.hit_rate)])))),
@@ -78,10 +78,10 @@ export class MachinePanel {
   units(machine) {
     return [
       make("h2", {}, "Units and FIFOs"),
-      make("p", {class: "faint"}, make("span", {class: "key busy"}), " starts a transaction ",
-           make("span", {class: "key stalled"}), " has its tokens, but an output no room; at its ends ",
-           make("span", {class: "key tank"}), " FIFOs, those of its outputs at its right: the mean " +
-           "fill, and a line at the highest. A click shows a unit's channels and what it waits for."),
+      make("p", {class: "faint"}, make("span", {class: "key busy"}), " working ",
+           make("span", {class: "key stalled"}), " blocked by a full output ",
+           make("span", {class: "key tank"}), " FIFO: its mean fill, and a line at the highest fill. " +
+           "A unit's output FIFOs are at its right. Click a unit to see its channels and its waits."),
       this.diagram(machine),
       this.detail,
     ];

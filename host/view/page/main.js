@@ -27,8 +27,8 @@ const picture = new Picture(by_id("picture"));
 const machine = new MachinePanel(by_id("panel-machine"));
 const pixel = new PixelPanel(by_id("panel-pixel"), by_id("overlay"), (x, y) => point(x, y));
 let from = null, changed = -Infinity;
-let still = null;    // {head, from} of the frame that stands
-let watched = null;  // the machine in that frame
+let full = null;     // {head, from} of the full picture in sight
+let watched = null;  // what the program saw while it rendered that picture clock by clock
 let pointed = null;  // {x, y}
 let start = null;    // the program's answer to the choices that hold
 const given = read_address();
@@ -39,12 +39,12 @@ function change(act) {
   changed = performance.now();
 }
 
-/// Asks a question about the frame that stands; nothing if another one stands before the answer.
-async function ask_of_still(type, fields = {}) {
-  const of = still;
+/// Asks a question about the full picture; null if there is a newer one when the answer comes.
+async function ask_of_full(type, fields = {}) {
+  const of = full;
   try {
     const answer = await ask(type, {...fields, number: of.head.number});
-    return of === still ? answer : null;
+    return of === full ? answer : null;
   } catch (error) {
     say(error.message);
     return null;
@@ -59,28 +59,28 @@ function show(answer, of) {
   stage.dataset.state = moving ? "moving" : "still";
   stage.dataset.size = `${width}x${height}`;
   if (moving) {
-    by_id("speed").textContent = `window ${frames.rate} frames a second at ${width}x${height}` +
-        (core_rate ? `; the core ${core_rate}` : "");
-    if (still) forget_still();
+    by_id("speed").textContent = `window: ${frames.rate} frames/s at ${width}x${height}` +
+        (core_rate ? `; the core: ${core_rate}` : "");
+    if (full) forget_full();
     return;
   }
   by_id("speed").textContent = `${width}x${height}, drawn in ${seconds.toFixed(2)} s`;
   if (answer.head.opened !== start.opened) return take_over();
-  still = {head: answer.head, from: of};
+  full = {head: answer.head, from: of};
   if (given.pixel) [pointed, given.pixel] = [{x: given.pixel[0], y: given.pixel[1]}, null];
   stage.dataset.number = answer.head.number;
   tell_address();
   look_inside();
 }
 
-/// Writes what is seen into the address and the command.
+/// Writes the view and the choices into the address and the command.
 function tell_address() {
-  if (!still) return;
+  if (!full) return;
   const pixel = pointed ? [pointed.x, pointed.y] : null;
   const {choices} = start;
-  history.replaceState(null, "", address_of({from: still.from, choices, map: maps.name, pixel}));
-  share.show({scene: start.scene, size: frames.size, from: still.from, choices, pixel,
-              inside: still.from.position.every((x, i) =>
+  history.replaceState(null, "", address_of({from: full.from, choices, map: maps.name, pixel}));
+  share.show({scene: start.scene, size: frames.size, from: full.from, choices, pixel,
+              inside: full.from.position.every((x, i) =>
                   x >= Math.min(start.low[i], start.first.position[i]) &&
                   x <= Math.max(start.high[i], start.first.position[i]))});
 }
@@ -93,8 +93,8 @@ async function take_over() {
 
 let core_rate = "";
 
-function forget_still() {
-  still = watched = null;
+function forget_full() {
+  full = watched = null;
   pointed = null;
   pixel.clear();
   machine.clear();
@@ -102,12 +102,12 @@ function forget_still() {
   delete stage.dataset.watched;
 }
 
-/// Has the program watch the frame, and shows what depends on it.
+/// Has the program watch the frame, and shows the machine and the maps of it.
 async function look_inside() {
   if (maps.wanted && !maps.wanted.watched) show_map();
-  const answer = await ask_of_still("examine");
+  const answer = await ask_of_full("examine");
   if (!answer || answer.head.stopped) {
-    if (answer && still) setTimeout(() => still && !watched && look_inside(), 50);
+    if (answer && full) setTimeout(() => full && !watched && look_inside(), 50);
     return;
   }
   watched = answer.head;
@@ -116,17 +116,17 @@ async function look_inside() {
   if (!watched.cycles) find_clocks();
   note_trial();
   if (watched.frames_per_second) {
-    core_rate = `${watched.frames_per_second.toFixed(1)} at ${watched.clock.mhz} MHz`;
-    by_id("speed").textContent += `; the core ${core_rate}, ${watched.cycles.toLocaleString("en")} clocks`;
+    core_rate = `${watched.frames_per_second.toFixed(1)} frames/s at ${watched.clock.mhz} MHz`;
+    by_id("speed").textContent += `; the core: ${core_rate}, ${watched.cycles.toLocaleString("en")} clocks`;
   }
   if (maps.wanted?.watched) show_map();
   if (pointed) point(pointed.x, pointed.y);
 }
 
-/// Sets the frame that stands beside those of earlier choices.
+/// Adds the full picture to the table of the choices tried.
 function note_trial() {
   if (start.recorded) return;
-  const row = trials.row(still.from, start.choices);
+  const row = trials.row(full.from, start.choices);
   Object.assign(row, {clocks: watched.cycles, cells: chosen.cells});
   trials.draw(by_id("trials"));
   if (trials.rows.length > 1) count_wrong(row);
@@ -135,38 +135,38 @@ function note_trial() {
 async function count_wrong(row) {
   if (row.wrong !== undefined) return;
   try {
-    const {counts} = (await ask("map", {name: "wrong", number: still.head.number})).head;
+    const {counts} = (await ask("map", {name: "wrong", number: full.head.number})).head;
     row.wrong = 1 - counts[0] / d3.sum(counts);
   } catch {
-    row.wrong = null;  // without truth, or another frame stands
+    row.wrong = null;  // no true hits in this build, or there is a newer picture
   }
   trials.draw(by_id("trials"));
 }
 
 async function point(x, y) {
-  if (!still) return;
+  if (!full) return;
   pointed = {x, y};
-  const answer = await ask_of_still("pixel", {x, y});
+  const answer = await ask_of_full("pixel", {x, y});
   if (!answer || pointed.x !== x || pointed.y !== y) return;
   if (!by_id("panel-pixel").dataset.pixel) choose_tab("pixel");
   tell_address();
-  pixel.show(answer.head, still.from, [still.head.width, still.head.height]);
+  pixel.show(answer.head, full.from, [full.head.width, full.head.height]);
 }
 
 async function show_map() {
   if (!maps.wanted) return maps.hide();
-  if (!still || (maps.wanted.watched && !watched)) return;
+  if (!full || (maps.wanted.watched && !watched)) return;
   if (maps.name === "clocks" && !watched.cycles && lowered === "under way") return maps.hide();
-  const answer = await ask_of_still("map", {name: maps.name});
+  const answer = await ask_of_full("map", {name: maps.name});
   if (!answer) return maps.hide();
-  if (answer.head.name === maps.name) maps.show(answer, still.head.width, still.head.height);
+  if (answer.head.name === maps.name) maps.show(answer, full.head.width, full.head.height);
 }
 
-/// Of the choices that hold: "", "under way" or "tried".
+/// Whether the units of the current choices were lowered: "", "under way" or "tried".
 let lowered = "";
 
-/// Has the program lower the units of a configuration whose schedules are not there, and looks at
-/// the frame again. The picture and all but its clocks are there meanwhile.
+/// Has the program lower the units of a configuration that has no schedules, and watches the frame
+/// again. Until then the page shows everything but the clocks.
 async function find_clocks() {
   if (lowered || start.recorded) return;
   lowered = "under way";
@@ -187,7 +187,7 @@ async function find_clocks() {
     if (!holds()) return;
     lowered = "tried";
     tell("");
-    if (still) look_inside();
+    if (full) look_inside();
   } catch (error) {
     if (holds()) lowered = "tried";
     tell(`its clocks are not known: ${error.message}`);
@@ -197,7 +197,7 @@ async function find_clocks() {
 const progress_of = ({name, progress, seconds}) =>
     `${name}: ${progress || "begun"}, ${seconds.toFixed(0)} s`;
 
-/// Asks again and again how far a job is; its result, or nothing if it failed.
+/// Asks how far a job is until it ends. Returns its result, or null if another job has begun.
 async function finished(job, tell, question = "progress") {
   for (;;) {
     const {head} = await ask(question);
@@ -209,17 +209,17 @@ async function finished(job, tell, question = "progress") {
   }
 }
 
-/// Makes the configuration if it is not there, and opens the scene with it. The last good frame
-/// stays if that fails.
+/// Builds the configuration if need be, and opens the scene with it. If that fails, the last picture
+/// stays.
 async function choose(choices) {
   stage.dataset.choosing = "yes";
-  if (watched) count_wrong(trials.row(still.from, start.choices));
+  if (watched) count_wrong(trials.row(full.from, start.choices));
   try {
     const {head} = await ask("make", choices);
     if (!await finished(head.job, (text) => chosen.say(text))) return;
     chosen.say("building the trees");
     begin((await ask("open", choices)).head);
-    forget_still();
+    forget_full();
     change((at) => ({...at}));
     frames.whole = null;
     say("");
@@ -233,7 +233,7 @@ async function choose(choices) {
   }
 }
 
-/// Takes over what the program says of the scene and the core.
+/// Takes over the program's description of the scene and the core.
 function begin(answer) {
   start = answer;
   chosen.show(start);
@@ -246,7 +246,7 @@ async function compare() {
   by_id("compare").disabled = true;
   try {
     share.say("begun", "running");
-    const {head} = await ask("compare", {number: still?.head.number ?? 0});
+    const {head} = await ask("compare", {number: full?.head.number ?? 0});
     const result = await finished(head.job, (text) => share.say(text, "running"));
     if (result) share.compared(result);
   } catch (error) {
@@ -260,7 +260,7 @@ const trials = new Trials();
 const chosen = new ChoicesPanel(by_id("panel-choices"), choose);
 const share = new SharePanel(by_id("panel-share"), {
   compare,
-  csv: async () => (await ask_of_still("csv"))?.head.csv,
+  csv: async () => (await ask_of_full("csv"))?.head.csv,
 });
 const choose_tab = tabs(by_id("tabs"), {pixel: "Pixel", machine: "Machine", choices: "Choices",
                                         share: "Share"}, () => {});
@@ -284,7 +284,7 @@ const walk = new Walk(stage, change, (event) => {
   point(x, y);
 });
 walk.speed = length(minus(start.high, start.low)) / 8;
-/// Shows a moment; along the camera's way if the reader wants that.
+/// Shows a moment, from the scene's own camera if the reader wants that.
 async function show_moment(time) {
   change((at) => ({...at, time}));
   if (!by_id("follow").checked) return;

@@ -58,7 +58,7 @@ export class MapView {
       return Array.from(this.values, (value) => colours[value]);
     }
     const colours = ramp();
-    // By the root, as a few pixels take many times what most take.
+    // The scale is a square root, which spreads small values out: few pixels have the large ones.
     const scale = high > low ? 1 / (high - low) : 0;
     return Array.from(this.values, (value) => Number.isNaN(value)
         ? unknown : colours[Math.round(255 * Math.sqrt((value - low) * scale))]);

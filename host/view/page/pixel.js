@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The panel of a pixel: its hit record beside the truth, and its packet's way, which is drawn into
+// The panel of a pixel: its hit record, the true hit, and the path of its packet, which is drawn over
 // the picture.
 import {by_id, make, shown, table} from "./elements.js";
 import {seen_at} from "./viewpoint.js";
@@ -10,7 +10,7 @@ const verdicts = ["right", "another primitive", "missed", "nothing is there"];
 const edges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6],
                [3, 7]];
 
-/// Where a number of steps of the truth would stand: 0 is right to the last place.
+/// The distance of a number from the true one in units of the last place; null if not known.
 const off = (truth, name) => truth?.off ? truth.off[name] : null;
 
 function hit_table({record, truth}) {
@@ -52,13 +52,14 @@ export class PixelPanel {
            ` ${record.colour}`),
       make("p", {}, `the core hits ${names_of(record.hit ? names : null)}`),
       truth ? make("p", {id: "verdict"},
-                   `${verdicts[truth.verdict]}; the truth is ${names_of(truth.names)}` +
+                   `${verdicts[truth.verdict]}; the true hit is ${names_of(truth.names)}` +
                    (truth.hit && truth.place !== "inside" ? `, ${truth.place}` : ""))
-            : make("p", {class: "faint"}, "this program has no truth"),
+            : make("p", {class: "faint"},
+                   "True hits need the full build: run scripts/test --build-only."),
       hit_table(data),
     ];
     if (packet) parts.push(...this.packet_parts(packet, data.way));
-    else parts.push(make("p", {class: "faint", id: "no-way"}, "the packet's way follows"));
+    else parts.push(make("p", {class: "faint", id: "no-way"}, "The path of its packet follows."));
     this.panel.replaceChildren(...parts);
     this.draw();
   }
@@ -77,7 +78,7 @@ export class PixelPanel {
     const spent = this.spent(packet, way);
     const slider = make("input", {
       type: "range", id: "way-step", min: 0, max: way.length - 1, value: 0,
-      "aria-label": "step of the packet's way",
+      "aria-label": "step of the packet's path",
       oninput: (event) => this.go(+event.target.value),
     });
     this.rows = way.map((step, i) => make("tr", {onclick: () => this.go(i)},
@@ -93,7 +94,7 @@ export class PixelPanel {
          "from clock", packet.begin],
       ]),
       ...(packet.begin === null ? [] : [make("p", {class: "faint"}, spent)]),
-      make("h2", {}, "Its way ", slider),
+      make("h2", {}, "Its path through the trees ", slider),
       make("div", {class: "way", id: "way"}, make("table", {}, ...this.rows)),
     ];
   }
@@ -127,7 +128,7 @@ export class PixelPanel {
     list.scrollTop = this.rows[step].offsetTop - list.clientHeight / 2;
   }
 
-  /// What the packet has met up to the step: boxes and triangles over the picture.
+  /// Draws the boxes and triangles that the packet has met up to this step over the picture.
   draw() {
     const {record, way} = this.data;
     const [width, height] = this.size;

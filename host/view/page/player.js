@@ -43,7 +43,7 @@ export class Player {
     by_id("seconds").textContent = `${this.time.toFixed(2)} s`;
   }
 
-  /// After so many seconds of the reader's.
+  /// Goes on after so many seconds.
   tick(passed) {
     if (this.playing) this.set((this.time + passed) % this.seconds);
   }

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// In place of ask.js where the page is a file with a recorded frame: the answers that the program
-// gave when it wrote the file (host/view/recording.h).
+// Takes the place of ask.js in a page that is a file with a recorded frame: gives the answers that
+// the program has written into the file (host/view/recording.h).
 
 export class Refused extends Error {}
 
@@ -28,7 +28,7 @@ const placed = ({box, corners, ...step}) => ({
   ...(corners === undefined ? {} : {corners: kept.places[corners]}),
 });
 
-/// As the program writes it (hit_table of host/view/hit_json.h).
+/// As the program writes it (hit_table of host/render/hit_json.h).
 function csv() {
   const cell = (value) => typeof value === "boolean" ? +value : value?.value ?? value;
   const line = ({record}) => kept.columns.map((name) => cell(record[name])).join(",");

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The panel to share what is seen: picture, map and hit records as files, the command that renders
-// the same, and the comparison with the RTL.
+// The panel to share a picture: saves picture, map and hit records, shows the command that renders
+// the same picture, and compares it with the RTL.
 import {by_id, make, shown} from "./elements.js";
 
 function save(name, content, type) {
@@ -30,7 +30,8 @@ export function command_of({scene, size, from, choices, pixel}) {
 }
 
 export class SharePanel {
-  /// `act` has what the buttons do: csv() gives the hit records, compare() starts the comparison.
+  /// `act` has the actions of the buttons: csv() returns the hit records, compare() starts the
+  /// comparison.
   constructor(panel, act) {
     const button = (id, text, onclick, more = {}) =>
         make("button", {id, type: "button", onclick, ...more}, text);
@@ -64,14 +65,14 @@ export class SharePanel {
     by_id("command").textContent = command_of(seen);
     const notes = [];
     if (!seen.inside) {
-      notes.push("The camera stands outside the scene; render may fit the core's numbers to it " +
-                 "anew, and its last places then differ.");
+      notes.push("The camera is outside the scene, so render may choose another scale for the core's " +
+                 "numbers, and last places may differ.");
     }
     if (seen.from.time > 0) {
-      notes.push(`The scene stands at ${seen.from.time} seconds of its animation; render shows it at 0.`);
+      notes.push(`This is the scene at ${seen.from.time} seconds of its animation; render shows it at 0.`);
     }
     if (seen.choices.mantissa_bits !== null) {
-      notes.push(`The file holds {"like": "${seen.choices.configuration}", ` +
+      notes.push(`Write the configuration's file first: {"like": "${seen.choices.configuration}", ` +
                  `"mantissa_bits": ${seen.choices.mantissa_bits}}.`);
     }
     by_id("command-note").textContent = notes.join(" ");

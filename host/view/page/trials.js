@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the choices have changed: one row for each that was tried on the view in sight.
+// The table of the choices that were tried on this view: wrong hits, clocks and LUTs.
 import {make, shown, table} from "./elements.js";
 
 export function text_of({configuration, mantissa_bits, packets, lines, reflections, lights, mirrors}) {
@@ -12,7 +12,7 @@ export function text_of({configuration, mantissa_bits, packets, lines, reflectio
           ...counted(mirrors.length, "mirror")].join(", ");
 }
 
-/// "1,200 (80.0 %)", of the first row's.
+/// "1,200 (80.0 %)": the value, and its share of the first row's.
 function beside(value, first) {
   if (value === null || value === undefined) return "–";
   return first ? `${shown(value)} (${(100 * value / first).toFixed(1)} %)` : shown(value);
@@ -40,13 +40,13 @@ export class Trials {
     if (place.hidden) return;
     const [first] = this.rows;
     place.replaceChildren(
-        make("h2", {}, "This view, with what you have chosen"),
+        make("h2", {}, "This view with every choice that you have tried"),
         table(["", "wrong hits", "clocks", "LUT"], this.rows.map((row) =>
             [row.name, row.wrong === undefined || row.wrong === null ? "–"
                          : `${+(100 * row.wrong).toPrecision(3)} %`,
              beside(row.clocks, row === first ? null : first.clocks),
              beside(row.cells, row === first ? null : first.cells)])),
-        make("p", {class: "faint"}, "In brackets: of the first row's. Cells are those of the last error " +
-             "report, where it has them; packets, lines, lights and mirrors change none."));
+        make("p", {class: "faint"}, "In brackets: the share of the first row. LUTs come from the last " +
+             "error report, if it has this core; packets, lines, lights and mirrors change none."));
   }
 }

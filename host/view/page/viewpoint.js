@@ -1,7 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where one stands and looks: {position, look_at, up, field_of_view, time}, as the program has it.
+// Where the camera is and where it looks: {position, look_at, up, field_of_view, time}, the program's
+// Viewpoint.
 
 export const add = (a, b, by = 1) => a.map((x, i) => x + by * b[i]);
 export const minus = (a, b) => a.map((x, i) => x - b[i]);

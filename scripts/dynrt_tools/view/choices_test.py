@@ -1,8 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Choices in the window of dynrt view that take a configuration that is not built in. Of a number
-format the picture comes first, then the clocks, which are those that the program counts without a
-window; lights, mirrors and bounces change the picture.
+"""Choices in the window of dynrt view that need a configuration which is not built in. With a new
+number format the picture comes first, then the clocks, the same as the program counts without a
+window. Lights, mirrors and bounces change the picture.
 
 Usage: choices_test.py PROGRAM"""
 
@@ -77,7 +77,7 @@ class Format(unittest.TestCase):
                 "the core", browser.run("return document.getElementById('speed').textContent")
             )
             speed = "document.getElementById('core-speed').textContent"
-            browser.wait(f"{speed}.includes('frames a second')", BUILDS)
+            browser.wait(f"{speed}.includes('frames/s')", BUILDS)
             self.assertIn(
                 f"{counted(pathlib.Path(folder)):,} clocks", browser.run(f"return {speed}")
             )

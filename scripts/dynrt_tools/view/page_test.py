@@ -24,7 +24,7 @@ class Page(PageTest):
             key = "w" if keys == "w" else "\ue014"  # the right arrow
             self.browser.actions().key_down(key).perform()
             self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
-            self.browser.wait("document.getElementById('speed').textContent.includes('a second')")
+            self.browser.wait("document.getElementById('speed').textContent.includes('frames/s')")
             self.browser.actions().key_up(key).perform()
             self.still()
             walked = self.picture()
@@ -33,7 +33,7 @@ class Page(PageTest):
         stage = self.browser.driver.find_element("id", "stage")
         self.move(self.browser.actions().drag_and_drop_by_offset(stage, 60, 10))
         self.assertNotEqual(before, self.picture())
-        self.assertRegex(self.text("speed"), r"the core [\d.]+ at [\d.]+ MHz")
+        self.assertRegex(self.text("speed"), r"the core: [\d.]+ frames/s at [\d.]+ MHz")
 
     def test_a_pixel_has_the_numbers_of_the_program(self) -> None:
         for x, y in ((30, 20), (0, 0), (63, 47)):
@@ -52,7 +52,7 @@ class Page(PageTest):
         self.click_pixel(30, 20)
         answer, _ = self.ask("pixel", x=30, y=20)
         self.assertEqual(answer["truth"]["verdict"], 0)
-        self.assertIn("right; the truth is", self.text("verdict"))
+        self.assertIn("right; the true hit is", self.text("verdict"))
         self.assertLess(abs(answer["truth"]["off"]["t"]), 8)
 
     def test_a_packet_has_its_way(self) -> None:
@@ -126,7 +126,7 @@ class Page(PageTest):
         for unit in machine["units"]:
             for wait in unit["waits"]:
                 ends = machine["fifos"][wait["fifo"]]
-                self.assertIn(unit["name"], ends["from" if wait["for"] == "room" else "to"], wait)
+                self.assertIn(unit["name"], ends["from" if wait["for"] == "space" else "to"], wait)
         inside = [fifo for fifo in machine["fifos"] if fifo["depth"] > 0]
         self.assertGreater(len(inside), len(units))
         for fifo in inside:
@@ -143,10 +143,10 @@ class Page(PageTest):
         for wait in units["mailbox"]["waits"]:
             self.assertIn(f"{sum(wait['clocks']):,}", detail)
         keys = self.browser.actions().move_to_element(
-            self.browser.driver.find_element("id", "course")
+            self.browser.driver.find_element("id", "timeline")
         )
         keys.click().send_keys("\ue015" * 3).send_keys("\ue014" * 40).perform()  # down, right
-        place = self.browser.driver.find_element("id", "course-place")
+        place = self.browser.driver.find_element("id", "timeline-place")
         unit, part = place.get_attribute("data-unit"), int(place.get_attribute("data-part"))
         said = f"works {100 * units[unit]['work'][part] / machine['part_clocks']:.1f} %"
         self.assertLessEqual((part + 1) * machine["part_clocks"], machine["cycles"])

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Takes the pictures of docs/how-to/view.md: the window of dynrt view in a headless Chromium, with a
-pixel's way and a map, with the machine, and with the course of the frame."""
+pixel's packet and a map, with the machine, and with the timeline of the frame."""
 
 import argparse
 import pathlib
@@ -15,7 +15,7 @@ SIZE = (1280, 860)
 
 
 def take(program: pathlib.Path, folder: pathlib.Path, scene: str, size: str) -> list[pathlib.Path]:
-    """The files view.png, view_machine.png and view_course.png, in this folder."""
+    """The files view.png, view_machine.png and view_timeline.png, in this folder."""
     with Program(program, scene, "--size", size) as window, Browser(*SIZE) as browser:
         browser.open(window.address)
         browser.wait("document.getElementById('stage').dataset.watched")
@@ -27,18 +27,18 @@ def take(program: pathlib.Path, folder: pathlib.Path, scene: str, size: str) -> 
         browser.set("map-name", "nodes")
         browser.set("split", 40)
         browser.wait("document.getElementById('map').dataset.name === 'nodes'")
-        files = [folder / f"view{part}.png" for part in ("", "_machine", "_course")]
+        files = [folder / f"view{part}.png" for part in ("", "_machine", "_timeline")]
         browser.driver.save_screenshot(str(files[0]))
         browser.set("map-name", "clocks")
         browser.wait("document.getElementById('map').dataset.name === 'clocks'")
         browser.click("#tab-machine")
         browser.click('[data-unit="matrix_fetch"]')
         browser.driver.save_screenshot(str(files[1]))
-        course = browser.driver.find_element("id", "course")
-        place = browser.driver.find_element("id", "course-place")
+        timeline = browser.driver.find_element("id", "timeline")
+        place = browser.driver.find_element("id", "timeline-place")
         while place.get_attribute("data-unit") != "matrix_fetch":
-            course.send_keys(Keys.DOWN)
-        course.send_keys(Keys.RIGHT * 189)  # where it lacks room, in office
+            timeline.send_keys(Keys.DOWN)
+        timeline.send_keys(Keys.RIGHT * 189)  # where an output FIFO of it is full, in office
         browser.run("document.getElementById('unit-fifos').scrollIntoView()")
         browser.driver.save_screenshot(str(files[2]))
     return files

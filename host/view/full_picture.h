@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The frame that stands in the window, with all that is known of it: hit records, the packets' ways
-// and the units' work if the frame was watched, and the truth if somebody has asked for it.
+// The full picture in the window, with all that the program knows of it: the hit records; the paths
+// of the packets and the work of the units, once the frame was watched; the true hits, once
+// somebody has asked for them.
 #pragma once
 
 #include <memory>
@@ -16,9 +17,9 @@
 
 namespace dynrt::host {
 
-struct Still {
-  unsigned number = 0;  ///< counts the frames that stood
-  Shot shot;
+struct FullPicture {
+  unsigned number = 0;  ///< of the full pictures since the program began
+  PictureRequest request;
   Camera camera;  ///< in the core's space
   FrameImage image;
   Frame frame;
@@ -29,7 +30,7 @@ struct Still {
   std::optional<Frame> watched{};
   std::vector<std::uint32_t> packet_of{};  ///< by pixel, a place in watch->packets
 
-  std::size_t index(unsigned x, unsigned y) const { return std::size_t{y} * shot.width + x; }
+  std::size_t index(unsigned x, unsigned y) const { return std::size_t{y} * request.width + x; }
   std::optional<PrimitiveId> primitive_at(std::size_t pixel) const;
   /// The work of the packet of a pixel; null if the frame was not watched.
   const PacketWork* packet_at(unsigned x, unsigned y) const;

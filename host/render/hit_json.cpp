@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/view/hit_json.h"
+#include "host/render/hit_json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

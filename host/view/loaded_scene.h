@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The scene as one walks through it: its memory image at a moment, seen by a camera, and boards
-// that get only those words that have changed since their frame before.
+// A scene that was loaded for the window: its memory image, which moves with the animation, and the
+// camera's part of it. A renderer draws it on a board and uploads only the words that have changed
+// since the frame before.
 #pragma once
 
 #include <memory>
@@ -14,16 +15,16 @@
 
 namespace dynrt::host {
 
-/// A place to look from, in the file's space.
+/// Where the camera is and where it looks, in the file's space.
 struct Viewpoint {
   glm::dvec3 position{0.0}, look_at{0.0}, up{0.0, 1.0, 0.0};
   double field_of_view = kDefaultFieldOfView;
   double time = 0;  ///< of the scene's animation
 };
 
-class Scenery {
+class LoadedScene {
  public:
-  explicit Scenery(MemoryImage image);
+  explicit LoadedScene(MemoryImage image);
 
   const MemoryImage& image() const { return image_; }
   const CoreInfo& core() const { return image_.core(); }
@@ -33,12 +34,12 @@ class Scenery {
   /// the camera leans to a side.
   Viewpoint first() const;
 
-  /// Where the scene's own camera stands at a moment; nothing if that does not move.
+  /// The place of the scene's own camera at a moment; nothing if that camera does not move.
   std::optional<Viewpoint> on_path(double time) const;
 
   /// The same camera in the core's space. Throws UserError for a view that no camera has.
   Camera camera(const Viewpoint& from, unsigned width, unsigned height) const;
-  /// Moves the scene to a moment; frames until the next call are of that.
+  /// Moves the scene to a moment of its animation; later frames show that moment.
   void move(double time);
   /// The frame's part of the memory. Throws UserError for a camera beyond the core's numbers.
   FrameImage frame(const Camera& camera, unsigned width, unsigned height) const;
@@ -52,20 +53,20 @@ class Scenery {
   Tree instances_;
 };
 
-/// A board that holds a scenery's objects.
-class Easel {
+/// A board, and the scene whose objects are in its memory.
+class Renderer {
  public:
-  explicit Easel(std::unique_ptr<Board> board) : board_(std::move(board)) {}
+  explicit Renderer(std::unique_ptr<Board> board) : board_(std::move(board)) {}
 
   const CoreInfo& core() const { return board_->core(); }
   Board& board() { return *board_; }
-  /// Uploads the objects, if `scenery` is not the one that the board holds, and what differs of the
-  /// frame.
-  Frame render(const Scenery& scenery, const FrameImage& image, const FrameOptions& options);
+  /// Uploads the objects if the board holds those of another scene, and those words of the frame
+  /// that differ; then renders.
+  Frame render(const LoadedScene& loaded, const FrameImage& image, const FrameOptions& options);
 
  private:
   std::unique_ptr<Board> board_;
-  const Scenery* held_ = nullptr;
+  const LoadedScene* held_ = nullptr;
   std::vector<MemoryRun> on_board_;  ///< of the frame that the board holds
 };
 

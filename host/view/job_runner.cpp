@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/view/workshop.h"
+#include "host/view/job_runner.h"
 
 #include <exception>
 #include <thread>
@@ -13,9 +13,9 @@ namespace dynrt::host {
 
 using Json = nlohmann::ordered_json;
 
-unsigned Workshop::start(const std::string& name, Job job) {
+unsigned JobRunner::start(const std::string& name, Job job) {
   const std::lock_guard lock(mutex_);
-  if (state_ == "running") refuse(messages::kWorkshopBusy, name_);
+  if (state_ == "running") refuse(messages::kJobRunning, name_);
   name_ = name;
   state_ = "running";
   progress_ = error_ = "";
@@ -26,7 +26,7 @@ unsigned Workshop::start(const std::string& name, Job job) {
   return ++number_;
 }
 
-void Workshop::work(const Job& job) {
+void JobRunner::work(const Job& job) {
   Json result;
   std::string error;
   try {
@@ -44,7 +44,7 @@ void Workshop::work(const Job& job) {
   state_ = error_.empty() ? "done" : "failed";
 }
 
-Json Workshop::progress() const {
+Json JobRunner::progress() const {
   const std::lock_guard lock(mutex_);
   const auto until = state_ == "running" ? Clock::now() : end_;
   return {{"job", number_},

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Hit records in numbers, the same in the window, in its tables and in the reports of the program.
+// Hit records as JSON and as a table. The window and the program's reports give the same numbers.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ namespace dynrt::host {
 /// "#rrggbb".
 std::string colour_text(std::uint32_t pixel);
 
-/// Of a pixel, with its colour; each number as bits and as a value.
+/// The hit record of a pixel and its colour; each number as bits and as a value.
 nlohmann::ordered_json hit_json(const Frame& frame, unsigned x, unsigned y);
 
 /// The columns of the table below, each a member of hit_json.
 inline constexpr std::array kHitColumns = {"x", "y", "hit", "object", "triangle",
                                            "t", "u", "v",   "cosine", "colour"};
 
-/// A line of comma-separated values for each pixel, behind one with the columns.
+/// A line with the names of the columns, then a line of comma-separated values for each pixel.
 std::string hit_table(const Frame& frame);
 
 }  // namespace dynrt::host

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the program lends to the window: scenes from its flags, boards of its configurations, the
-// clock of a core. The window itself knows no flag.
+// The services that the program gives to the window: scenes from its flags, boards of its
+// configurations, the clock of a core. The window itself knows no flag.
 #pragma once
 
 #include <cstdint>
@@ -34,25 +34,25 @@ enum class ViewBoard : std::uint8_t {
   kRtl,
 };
 
-struct ViewStudio {
+struct ViewServices {
   std::string scene;  ///< as the user named it
   ViewChoices choices;
   unsigned width = 512, height = 384;
   CameraOverrides camera;  ///< given by the user
-  /// Makes the configuration if it is not there, and says how far that is. Any thread may call it.
+  /// Builds the configuration if it is not built, and tells how far it is. Any thread may call it.
   std::function<void(const ViewChoices&, const std::function<void(const std::string&)>& tell)> make;
-  /// A board of a configuration, which is made first if it is not there. Any thread may call it.
+  /// A board of a configuration, which is built first if need be. Any thread may call it.
   std::function<std::unique_ptr<Board>(ViewBoard kind, const ViewChoices&)> board;
   /// The folder with the schedules of a configuration's units; empty if they are not there. Any
   /// thread may call it.
   std::function<std::string(const ViewChoices&)> schedules;
-  /// Lowers the units of a configuration, so that their schedules are there, and says how far that
-  /// is. Any thread may call it.
+  /// Lowers the units of a configuration, which makes their schedules, and tells how far it is. Any
+  /// thread may call it.
   std::function<void(const ViewChoices&, const std::function<void(const std::string&)>& tell)>
       lower;
-  /// The scene in the memory of a core, with all that the choices add.
+  /// The scene in the memory of a core, with the lights and mirrors of the choices.
   std::function<MemoryImage(const ViewChoices&, const CoreInfo&)> prepare;
-  /// What there is to choose: {"configurations": [..], ..}.
+  /// The configurations to choose from, and the figures of the error reports.
   nlohmann::ordered_json offers;
   /// The clock of a core: {"mhz": ..} and where it comes from.
   std::function<nlohmann::ordered_json(const CoreInfo&)> clock;

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Work beside the rendering: making a configuration, rendering a frame through the RTL. One job at
-// a time, in a thread of its own; threads of the server start it and ask how far it is.
+// Runs long jobs in the background, one at a time: builds a configuration, renders a frame through
+// the RTL. The server's threads start a job and ask how far it is.
 #pragma once
 
 #include <chrono>
@@ -13,14 +13,14 @@
 
 namespace dynrt::host {
 
-class Workshop {
+class JobRunner {
  public:
-  /// Tells how far a job is, in words.
+  /// Called by a job to say how far it is.
   using Tell = std::function<void(const std::string& progress)>;
-  /// Gives the job's result.
+  /// Returns its result.
   using Job = std::function<nlohmann::ordered_json(const Tell& tell)>;
 
-  /// Gives the number of the job. Throws UserError while another one is done.
+  /// Returns the number of the job. Throws UserError while another job runs.
   unsigned start(const std::string& name, Job job);
 
   /// {"job", "name", "state": "none", "running", "done" or "failed", "progress", "seconds",

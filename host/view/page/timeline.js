@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The course of a frame: a row for each unit, the clocks from left to right. Each column says in
-// which share of its clocks the unit works, and in which it waits for room or for a token.
+// The timeline of a frame: a row for each unit, the clocks from left to right. Each column shows the
+// shares of its clocks in which the unit works, waits for space in a FIFO, and waits for a token.
 import {make, percent, shown} from "./elements.js";
 import {part_of, wait_text} from "./flow.js";
 
@@ -18,9 +18,9 @@ function painted(machine, units, parts) {
   const [busy, stall] = [colour("--busy"), colour("--stall")];
   units.forEach((unit, i) => {
     for (let part = 0; part < parts; ++part) {
-      const {work, room} = part_of(machine, unit, part);
+      const {work, space} = part_of(machine, unit, part);
       const bottom = (i + 1) * levels;
-      const up = levels * work, further = levels * room;
+      const up = levels * work, further = levels * space;
       context.fillStyle = busy;
       context.fillRect(part, bottom - up, 1, up);
       context.fillStyle = stall;
@@ -31,17 +31,17 @@ function painted(machine, units, parts) {
 }
 
 /// `chosen` gets the unit of the place that the reader points to.
-export function course_of(machine, chosen) {
+export function timeline_of(machine, chosen) {
   const {cycles, part_clocks} = machine;
-  if (!cycles) return make("p", {class: "faint"}, "Without clocks a frame has no course.");
+  if (!cycles) return make("p", {class: "faint"}, "Without clocks there is no timeline.");
   const parts = Math.ceil(cycles / part_clocks);
   const units = machine.units.filter((unit) => unit.transactions > 0);
   const height = units.length * row;
-  const svg = d3.create("svg").attr("class", "machine course").attr("id", "course")
+  const svg = d3.create("svg").attr("class", "machine timeline").attr("id", "timeline")
       .attr("viewBox", [0, 0, width, height + 16]).attr("tabindex", 0).attr("role", "application")
       .attr("aria-label", "what each unit does over the frame; the arrow keys go along the clocks " +
                           "and from unit to unit")
-      .attr("aria-describedby", "course-place");
+      .attr("aria-describedby", "timeline-place");
   const step = (width - left) / parts;
   svg.selectAll("rect.row").data(units).join("rect").attr("class", "row").attr("x", left)
       .attr("y", (d, i) => i * row).attr("width", width - left).attr("height", bar);
@@ -58,8 +58,8 @@ export function course_of(machine, chosen) {
       .text(shown(cycles));
   const mark = svg.append("rect").attr("class", "place").attr("width", Math.max(step, 1.5))
       .attr("height", bar).attr("visibility", "hidden");
-  const place = make("p", {id: "course-place", role: "status"}, "Point to a place, or go there with " +
-                     "the arrow keys: here stands what the unit does and what it waits for.");
+  const place = make("p", {id: "timeline-place", role: "status"}, "Point to a place, or go there with " +
+                     "the arrow keys, to read what the unit does there.");
   let at = {unit: 0, part: 0};
   const point = (unit, part) => {
     at = {unit: Math.max(0, Math.min(units.length - 1, unit)),
@@ -88,7 +88,7 @@ export function course_of(machine, chosen) {
   });
   return make("div", {}, place, svg.node(), make("p", {class: "faint"},
       make("span", {class: "key busy"}), " works ", make("span", {class: "key stalled"}),
-      " waits for room in a FIFO ", make("span", {class: "key"}), ` waits for a token. A column is ${
+      " waits for space in a FIFO ", make("span", {class: "key"}), ` waits for a token. A column is ${
           shown(part_clocks)} clocks.`));
 }
 

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/view/scenery.h"
+#include "host/view/loaded_scene.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,14 +10,14 @@
 
 namespace dynrt::host {
 
-Scenery::Scenery(MemoryImage image)
+LoadedScene::LoadedScene(MemoryImage image)
     : image_(std::move(image)),
       seconds_(duration(image_.scene)),
       instances_(image_.trees.instances) {}
 
-Viewpoint Scenery::first() const { return viewpoint_of(image_.view.camera); }
+Viewpoint LoadedScene::first() const { return viewpoint_of(image_.view.camera); }
 
-std::optional<Viewpoint> Scenery::on_path(double time) const {
+std::optional<Viewpoint> LoadedScene::on_path(double time) const {
   const Scene& scene = image_.scene;
   if (scene.path.empty() && !scene.camera_motion) return std::nullopt;
   const auto camera = camera_at(scene, time);
@@ -27,7 +27,7 @@ std::optional<Viewpoint> Scenery::on_path(double time) const {
   return from;
 }
 
-Viewpoint Scenery::viewpoint_of(const Camera& camera) const {
+Viewpoint LoadedScene::viewpoint_of(const Camera& camera) const {
   constexpr double kLean = 1e-6;
   Viewpoint from;
   from.position = image_.space.outside(camera.position);
@@ -40,30 +40,31 @@ Viewpoint Scenery::viewpoint_of(const Camera& camera) const {
   return from;
 }
 
-Camera Scenery::camera(const Viewpoint& from, unsigned width, unsigned height) const {
+Camera LoadedScene::camera(const Viewpoint& from, unsigned width, unsigned height) const {
   return moved_into(image_.space, look_at(from.position, from.look_at, from.up, from.field_of_view,
                                           static_cast<double>(width) / height));
 }
 
-void Scenery::move(double time) {
+void LoadedScene::move(double time) {
   if (time == time_) return;
   move_to(image_.scene, time);
   instances_ = instances_of(image_);
   time_ = time;
 }
 
-FrameImage Scenery::frame(const Camera& camera, unsigned width, unsigned height) const {
+FrameImage LoadedScene::frame(const Camera& camera, unsigned width, unsigned height) const {
   return {image_.scene, image_.objects, instances_, camera, width, height};
 }
 
-Frame Easel::render(const Scenery& scenery, const FrameImage& image, const FrameOptions& options) {
-  if (held_ != &scenery) {
+Frame Renderer::render(const LoadedScene& loaded, const FrameImage& image,
+                       const FrameOptions& options) {
+  if (held_ != &loaded) {
     held_ = nullptr;
     on_board_.clear();
-    for (const MemoryRun& run : scenery.image().objects.memory.runs()) {
+    for (const MemoryRun& run : loaded.image().objects.memory.runs()) {
       board_->write(run.bank, run.address, run.words);
     }
-    held_ = &scenery;
+    held_ = &loaded;
   }
   std::vector<MemoryRun> runs = image.memory.runs();
   const auto changed = changed_runs(std::exchange(on_board_, {}), runs, core().format->bus_words());
