@@ -10,17 +10,36 @@
 
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
-#include "host/app/placed_clocks_table.h"
 #include "host/error.h"
 
 namespace dynrt::host {
 
+std::string_view clocks_json();  // of the build
+
 namespace {
+
+std::vector<PlacedClock> read_clocks() {
+  std::vector<PlacedClock> clocks;
+  for (const auto& one : nlohmann::json::parse(clocks_json())) {
+    clocks.push_back({.configuration = one.at("configuration"),
+                      .device = one.at("device"),
+                      .part = one.at("part"),
+                      .grade = one.at("grade"),
+                      .mhz = one.at("mhz"),
+                      .lowest_mhz = one.at("lowest_mhz"),
+                      .highest_mhz = one.at("highest_mhz"),
+                      .seeds = one.at("seeds"),
+                      .placer = one.at("placer"),
+                      .date = one.at("date"),
+                      .verilog = one.at("verilog")});
+  }
+  return clocks;
+}
 
 /// The values of a field in the table's order, each once, of the placements that fit.
 template <class Fits>
-std::string listed(std::string_view PlacedClock::* field, Fits&& fits) {
-  std::vector<std::string_view> names;
+std::string listed(std::string PlacedClock::* field, Fits&& fits) {
+  std::vector<std::string> names;
   for (const PlacedClock& clock : placed_clocks()) {
     if (fits(clock) && std::ranges::count(names, clock.*field) == 0) names.push_back(clock.*field);
   }
@@ -43,21 +62,24 @@ bool is_core(const PlacedClock& clock, const CoreConfiguration& core) {
 
 }  // namespace
 
-std::span<const PlacedClock> placed_clocks() { return kPlacedClocks; }
+std::span<const PlacedClock> placed_clocks() {
+  static const std::vector<PlacedClock> clocks = read_clocks();
+  return clocks;
+}
 
 std::string CoreClock::text() const {
   if (of_board) return fmt::format("clock       {:g} MHz, that of the board\n", mhz);
   if (placed == nullptr) return fmt::format("clock       {:g} MHz, as --clock says\n", mhz);
   if (own) {
     return fmt::format(
-        "clock       {:g} MHz, placed: {}{} on {}, median of {} seeds ({:g} to {:g} MHz)\n", mhz,
-        placed->earlier ? "an earlier " : "", placed->configuration, placed->where, placed->seeds,
-        placed->lowest_mhz, placed->highest_mhz);
+        "clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} MHz), on {}\n", mhz,
+        placed->configuration, placed->where(), placed->seeds, placed->lowest_mhz,
+        placed->highest_mhz, placed->date);
   }
   const bool same_name = std::ranges::find(placed_clocks(), configuration,
                                            &PlacedClock::configuration) != placed_clocks().end();
   return fmt::format("clock       {:g} MHz, placed: {} on {}; {} was not placed and may miss it\n",
-                     mhz, placed->configuration, placed->where,
+                     mhz, placed->configuration, placed->where(),
                      same_name ? "this core has other keys," : configuration);
 }
 
@@ -73,9 +95,8 @@ nlohmann::ordered_json CoreClock::json() const {
                {"highest_mhz", placed->highest_mhz},
                {"seeds", placed->seeds},
                {"placer", placed->placer},
-               {"verilog", placed->verilog},
-               {"of_earlier_verilog", placed->earlier},
-               {"command", placed->command}});
+               {"date", placed->date},
+               {"verilog", placed->verilog}});
   return json;
 }
 

@@ -30,7 +30,7 @@ struct CoreClock {
 /// The flags that choose the clock.
 struct ClockFlags {
   std::optional<double> mhz;
-  std::string device = std::string(placed_clocks().front().device);
+  std::string device = placed_clocks().front().device;
   std::optional<std::string> grade;  ///< without the flag the device's first
 
   void add_to(CLI::App& command);

@@ -74,7 +74,7 @@ class Commands(unittest.TestCase):
                 self.assertIn(OWN[name], run["command"])
             else:
                 file = re.escape(f"docs/results/data/{name}.json")
-                self.assertRegex(run["command"], rf"--(json|record|data|keep) {file}$")
+                self.assertRegex(run["command"], rf"--(json|record|data) {file}$")
 
     def test_wrong_ones_are_found(self) -> None:
         for wrong in ("scripts/bench --scene", "scripts/place --recrd x", "scripts/synth --jobs a"):

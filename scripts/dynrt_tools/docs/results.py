@@ -9,9 +9,8 @@ is Python's, such as "," or ".1f"; it may begin with *FACTOR, or with @CONFIGURA
 makes frames per second of the clocks of a frame: at the placed clock, in brackets where it is that of
 another configuration, or at a stated one. {{placed:CONFIGURATION/FIELD}} is a field of the placed
 clock itself (hardware/placed_clocks.py). Where the data have null the page says
-"not measured". {{DATA:command}} is the command that measures the data again. What TEXTS names in
-place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
-Rows that differ in a name are written once, in a loop (docs/loops.py).
+"not measured". {{DATA:command}} is the command that measures the data again, and a date with the
+FORMAT day is one in words. Rows that differ in a name are written once, in a loop (docs/loops.py).
 """
 
 import dataclasses
@@ -21,20 +20,12 @@ from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.docs import loops
-from dynrt_tools.hardware import fit_page, placed_clocks
+from dynrt_tools.hardware import placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
 TEMPLATES = RESULTS / "templates"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
 PLACED = "placed"  # a name that is none of a file
-
-
-def dated(data: project.Json) -> str:
-    """The day on which a record was measured, in words."""
-    return project.day(str(data["date"]))
-
-
-TEXTS = {**fit_page.TEXTS, "date": dated}
 
 
 def template(path: pathlib.Path) -> loops.Lines:
@@ -106,8 +97,6 @@ class Data:
             if field not in fields:
                 raise project.Failed(f"a placed clock has no '{field}'; it has {', '.join(fields)}")
             return fields[field]
-        if path in TEXTS:
-            return TEXTS[path](self.load(name))
         value = self.load(name)
         for step in path.split("/"):
             if value is None:
@@ -140,6 +129,8 @@ def shown(value: Any, form: str) -> str:
         return "not measured"
     if rate := re.match(r"@([\w.]+) ?", form):
         return rate_of(value, rate[1], form[rate.end() :])
+    if form == "day":
+        return project.day(value)
     factor = re.match(r"\*([\d.e+-]+) ?", form)
     if factor:
         value, form = value * float(factor[1]), form[factor.end() :]

@@ -135,9 +135,8 @@ class Elsewhere(unittest.TestCase):
             text,
         )
         self.assertIn(
-            f"\nclock       {clock.mhz:g} MHz, placed: {'an earlier ' if clock.earlier else ''}fast "
-            f"on {clock.where}, median of "
-            f"{clock.seeds} seeds ({clock.lowest_mhz:g} to {clock.highest_mhz:g} MHz)\n",
+            f"\nclock       {clock.mhz:g} MHz, placed: fast on {clock.where}, median of {clock.seeds} "
+            f"seeds ({clock.lowest_mhz:g} to {clock.highest_mhz:g} MHz), on {clock.date}\n",
             text,
         )
         busy, cache = row["frame"]["units"]["node_fetch"], row["frame"]["caches"]["node"]

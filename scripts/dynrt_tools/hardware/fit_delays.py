@@ -1,31 +1,23 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Holds hlsc's delay models against kept placements, and fits their constants to them.
+"""Holds hlsc's delay models against records of placements, and fits their constants to them.
 
-A kept placement is a file that `scripts/place --keep` wrote. hlsc schedules its Verilog again, by the
-delay model of that time, and predicts when the signals arrive that limited the clock; the constants
-then get the values that make the least squares of the relative misses least. No placer is needed."""
+A record is a file that `scripts/place --record` wrote. hlsc schedules its Verilog again, by the delay
+model of that time, and predicts when the signals arrive that limited the clock. A least-squares fit of
+the relative errors then finds the constants. No placer is needed."""
 
 import argparse
 import json
 import pathlib
 import sys
+from collections import Counter
 from collections.abc import Sequence
 
 from dynrt_tools import options, project
-from dynrt_tools.hardware import (
-    devices,
-    fit_case,
-    fit_data,
-    fit_plot,
-    fit_table,
-    fitting,
-    kept_placement,
-    model_file,
-    rtl_files,
-)
+from dynrt_tools.hardware import devices, fit_case, fitting, model_file, place_record, rtl_files
+from dynrt_tools.project import Json
 
-PICTURES = project.ROOT / "docs" / "pictures"
+SAME = 0.002  # of a figure that --check makes again
 
 
 def parse() -> argparse.Namespace:
@@ -36,15 +28,15 @@ def parse() -> argparse.Namespace:
         epilog="""\
 The model follows from device and grade of the placements: ecp5.json for ECP5 grade 6, ecp5-8.json
 for grade 8, ice40-hx.json for iCE40 HX, in hls/compiler/delay. A grade without a file starts from
-that of its family, and --write makes the file. An end that hlsc does not predict is counted and
-listed with the reason. The exit code is 1 if a file or hlsc fails.""",
+that of its family, and --write makes the file. An end that hlsc does not predict is counted with the
+reason. The exit code is 1 if a file or hlsc fails.""",
     )
     parser.add_argument(
-        "kept",
+        "records",
         nargs="*",
         type=pathlib.Path,
         metavar="FILE",
-        help="kept placements (default: all in docs/results/data)",
+        help="records of placements (default: all in docs/results/data)",
     )
     parser.add_argument(
         "--write",
@@ -54,18 +46,16 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
     parser.add_argument(
         "--record",
         action="store_true",
-        help="write the residuals of the models' constants to docs/results/data/fit_MODEL.json and "
-        "their plot to docs/pictures",
+        help="write how well each model fits to docs/results/data/fit_MODEL.json",
     )
     parser.add_argument(
-        "--out",
-        type=pathlib.Path,
-        metavar="FOLDER",
-        help="write residuals and plot into this folder, not into docs",
+        "--check",
+        action="store_true",
+        help="fail if a model fits otherwise than docs/results/data/fit_MODEL.json says",
     )
     parser.add_argument(
         "--worst",
-        type=int,
+        type=options.whole,
         default=12,
         metavar="N",
         help="the worst misses to print (default: 12)",
@@ -80,114 +70,153 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
     return parser.parse_args()
 
 
-def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Path]]:
-    """The kept placements by the model that they are to fit."""
-    if not files:
-        found = sorted(
-            [*kept_placement.DATA.glob("place_*.json"), *kept_placement.DATA.glob("placed/*.json")]
-        )
-        files = [path for path in found if kept_placement.is_for_a_fit(path)]
-    if not files:
-        raise project.Failed(
-            f"{kept_placement.DATA}: no kept placement is there; make one with "
-            "'scripts/place UNIT --keep FILE'"
-        )
-    groups: dict[pathlib.Path, list[pathlib.Path]] = {}
-    for path in files:
-        kept = kept_placement.read(path)
-        model = model_file.path_of(kept["device"], kept["grade"])
-        groups.setdefault(model, []).append(path)
-    return groups
-
-
-def data_name(model: pathlib.Path) -> str:
-    """The file of docs/results/data with the residuals of a model."""
-    return f"fit_{model.stem.replace('-', '_')}.json"
-
-
 class Fit:
     """Of one model to its placements."""
 
-    def __init__(
-        self, model: pathlib.Path, files: Sequence[pathlib.Path], args: argparse.Namespace
-    ):
-        build = rtl_files.find_build(args.build)
-        self.path = model
-        self.cases = [fit_case.Case(path, build, args.jobs) for path in files]
-        self.bounds = fitting.TIMES[devices.family_of(self.cases[0].kept["device"])]
+    def __init__(self, model: pathlib.Path, cases: Sequence[fit_case.Case]) -> None:
+        self.path, self.cases = model, cases
+        self.bounds = fitting.TIMES[devices.family_of(cases[0].record["device"])]
         self.start = model_file.read(model)
-        self._known: dict[str, dict[str, fit_case.Result]] = {}
+        self._known: dict[str, list[fit_case.Result]] = {}
 
-    def results(self, model: fitting.Model) -> dict[str, fit_case.Result]:
+    def results(self, model: fitting.Model) -> list[fit_case.Result]:
         """Every case by a model."""
         key = json.dumps(model, sort_keys=True)
         if key not in self._known:
             project.show_progress(f"{self.path.name}, model {len(self._known) + 1} of about 6")
-            self._known[key] = {
-                case.name: case.evaluate(model, list(self.bounds)) for case in self.cases
-            }
+            names = list(self.bounds)
+            self._known[key] = [case.evaluate(model, names) for case in self.cases]
+            project.show_progress("")
         return self._known[key]
 
-    def run(self) -> fitting.Model:
+    def fitted(self) -> fitting.Model:
         """The constants that fit best."""
 
         def samples(model: fitting.Model) -> list[fitting.Sample]:
-            return [row.sample for result in self.results(model).values() for row in result.rows]
+            return [sample for result in self.results(model) for _, sample in result.ends]
 
         return fitting.fit(samples, self.start, self.bounds)
 
-    def placed(self) -> str:
-        """The placements with their clocks, in words."""
-        return ", ".join(f"{case.name} ({1000 / case.period:.0f} MHz)" for case in self.cases)
+    def data(self, model: fitting.Model, fitted: fitting.Model) -> Json:
+        """How well a model fits, beside the one that the fit found."""
+        results, after = self.results(model), self.results(fitted)
+        ends = [end for result in results for end in result.ends]
+        return {
+            "model": model_file.base_of(self.path).relative_to(project.ROOT).as_posix(),
+            "constants": {n: {"value": model[n], "fitted": fitted[n]} for n in self.bounds},
+            "within": fit_case.Result(ends).within(),
+            "within by the fit": fit_case.Result([e for r in after for e in r.ends]).within(),
+            "limiting": sum(len(case.ends) for case in self.cases),
+            "predicted": len(ends),
+            "placements": {
+                case.name: {
+                    "seeds": len(case.about["mhz"]),
+                    "date": case.record["date"],
+                    "limiting": len(case.ends),
+                    "predicted": len(result.ends),
+                    "within": result.within(),
+                    "placed, ns": round(case.period, 3),
+                    "promised, ns": round(result.promised, 3),
+                }
+                for case, result in zip(self.cases, results)
+            },
+            "not predicted": dict(sum((r.unpredicted for r in results), Counter()).most_common()),
+        }
 
     def warn(self) -> None:
-        """Names the placements that say little: of other signals by now, or without haste."""
-        project.show_progress("")
+        """Names the placements of other signals by now."""
         for case in self.cases:
-            asked = 1000 / case.kept["asked_mhz"]
-            if case.period < asked:
+            if not case.current:
                 print(
-                    f"fit-delays: {case.name} takes {case.period:.2f} ns, and the placer was asked "
-                    f"for {asked:.2f}, so it need not hurry; place it with a higher --ask-mhz",
-                    file=sys.stderr,
-                )
-            if not case.of_present_verilog():
-                print(
-                    f"fit-delays: {case.name} is of an earlier Verilog of {case.kept['unit']}; place "
-                    "it again",
+                    f"fit-delays: the Verilog of {case.name} has changed since it was placed on "
+                    f"{project.day(case.record['date'])}; place it again",
                     file=sys.stderr,
                 )
 
-    def data(self, model: fitting.Model, fitted: fitting.Model) -> project.Json:
-        """What the documents keep: the residuals of a model, beside those of the fit."""
-        by_model, by_fit = self.results(model), self.results(fitted)
-        project.show_progress("")
-        pairs = {case.name: (case, by_model[case.name]) for case in self.cases}
-        name = model_file.base_of(self.path).relative_to(project.ROOT).as_posix()
-        return fit_data.of_cases(name, model, fitted, pairs, by_fit)
+    def print(self, data: Json, worst: int) -> None:
+        """The constants, the placements, the worst misses, and what is not predicted."""
+        print(f"{data['model']}\n{'constant':<16}{'before':>8}{'after':>8}")
+        for name, constant in data["constants"].items():
+            at_bound = "  at its bound" if constant["fitted"] in self.bounds[name] else ""
+            print(f"{name:<16}{constant['value']:>8g}{constant['fitted']:>8g}{at_bound}")
+        form = "{:<34}{:>10}{:>10}{:>12}{:>12}{:>12}"
+        head = ("limiting", "predicted", "within 10 %", "placed, ns", "hlsc, ns")
+        print("\n" + form.format("placement", *head))
+        for name, p in data["placements"].items():
+            within = "-" if p["within"] is None else f"{p['within']:.0%}"
+            times = f"{p['placed, ns']:.2f}", f"{p['promised, ns']:.2f}"
+            print(form.format(name, p["limiting"], p["predicted"], within, *times))
+        print("\nThe worst misses, by the constants before:")
+        ends = [end for result in self.results(self.start) for end in result.ends]
+        for end, sample in sorted(ends, key=lambda e: -abs(e[1].predicted / e[1].placed - 1))[
+            :worst
+        ]:
+            made_of = " + ".join(f"{n:g} {name}" for name, n in sample.counts.items())
+            port = f", {end['port']}" if end["port"] else ""
+            source = f" ({end['source']})" if end["source"] else ""
+            print(
+                f"  {sample.placed:6.2f} ns placed, {sample.predicted:6.2f} predicted: "
+                f"{end['unit']}: {end['signal']}{port}{source} = {made_of}"
+            )
+        print(f"\nNot predicted are {data['limiting'] - data['predicted']} limiting ends:")
+        for why, count in data["not predicted"].items():
+            print(f"  {count:4} at {why}", flush=True)
+
+
+def cases_of(args: argparse.Namespace) -> dict[pathlib.Path, list[fit_case.Case]]:
+    """The placed rows by the model that they are to fit."""
+    build = rtl_files.find_build(args.build)
+    groups: dict[pathlib.Path, list[fit_case.Case]] = {}
+    for path in args.records or sorted(place_record.DATA.glob("place_*.json")):
+        record = place_record.read(path)
+        for row in place_record.for_a_fit(record):
+            model = model_file.path_of(record["device"], record["grade"])
+            groups.setdefault(model, []).append(fit_case.Case(record, row, build, args.jobs))
+    if not groups:
+        raise project.Failed(
+            f"no record has {place_record.SEEDS_OF_A_MEDIAN} seeds or more that missed the clock asked "
+            "for; make one with 'scripts/place UNIT --ask-mhz MHZ --record FILE'"
+        )
+    return groups
+
+
+def file_of(model: pathlib.Path) -> pathlib.Path:
+    """Where the documents keep how well a model fits."""
+    return place_record.DATA / f"fit_{model.stem.replace('-', '_')}.json"
+
+
+def check(model: pathlib.Path, data: Json) -> None:
+    """Throws Failed where a model fits otherwise than the documents say."""
+    kept = project.read_json(file_of(model))
+    for name, placement in data["placements"].items():
+        for key, value in placement.items():
+            said = kept["placements"].get(name, {}).get(key)
+            near = isinstance(value, float) and isinstance(said, float)
+            if abs(value - said) > SAME * value if near else value != said:
+                raise project.Failed(
+                    f"{file_of(model)}: '{key}' of {name} is {said}, and now {value}; run "
+                    "scripts/fit-delays --record, or take the change back"
+                )
 
 
 def main() -> int:
     args = parse()
-    if args.out and not args.out.is_dir():
-        project.fail(f"--out {args.out}: there is no such folder; create it or name another")
     try:
         # All files are read before a model is written.
-        for fit in [Fit(model, files, args) for model, files in chosen(args.kept).items()]:
-            model = fit.path
-            fitted = fit.run()
-            fit.warn()
+        for fit in [Fit(model, found) for model, found in cases_of(args).items()]:
+            fitted = fit.start if args.check else fit.fitted()
             data = fit.data(fit.start, fitted)
-            print(fit_table.text(data, args.worst), flush=True)
+            fit.warn()
+            if args.check:
+                check(fit.path, data)
+                continue
+            fit.print(data, args.worst)
             if args.write:
-                model_file.write(model, fitted, fit.placed())
+                placed = [f"{case.name} ({1000 / case.period:.0f} MHz)" for case in fit.cases]
+                model_file.write(fit.path, fitted, ", ".join(placed))
                 data = fit.data(fitted, fitted)
-            if args.out or args.record or args.write:
-                name = data_name(model)
-                fit_data.write((args.out or kept_placement.DATA) / name, data)
-                fit_plot.draw((args.out or PICTURES) / name.replace(".json", ".svg"), data)
+            if args.record or args.write:
+                project.write_json(file_of(fit.path), data)
     except project.Failed as error:
-        project.show_progress("")
-        print(f"fit-delays: {error}", file=sys.stderr)
-        return 1
+        project.fail(error)
     return 0

@@ -16,16 +16,17 @@ import concurrent.futures
 import pathlib
 import shutil
 import sys
+from collections.abc import Sequence
 from typing import Any
 
 from dynrt_tools import options, project, unit_names
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
-    kept_placement,
     lowering,
     place_record,
     place_row,
     place_table,
+    placed_clocks,
     placers,
     placing,
     rtl_files,
@@ -42,8 +43,8 @@ def parse() -> argparse.Namespace:
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
 netlist, the constraints, the placer's version, the seed and the flags, with its report and its
 delays. The exit code is 1 if a row was not placed: its tool is missing, it failed, ran out of time, does
-not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed or a row
-cannot be kept. The other rows are complete in each case.""",
+not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed or a file
+cannot be written. The other rows are complete in each case.""",
     )
     parser.add_argument(
         "unit",
@@ -85,6 +86,13 @@ cannot be kept. The other rows are complete in each case.""",
         default=5,
         metavar="N",
         help="placements, of seeds 1 to N (default: 5)",
+    )
+    parser.add_argument(
+        "--seed",
+        type=options.whole,
+        action="append",
+        metavar="N",
+        help="place with this seed instead; may be repeated",
     )
     parser.add_argument(
         "--copies",
@@ -131,13 +139,14 @@ cannot be kept. The other rows are complete in each case.""",
         "--record",
         type=pathlib.Path,
         metavar="FILE",
-        help="also write the few of them that docs/results/devices.md shows",
+        help="also write what docs/results keeps: clocks, cells and the ends of paths that limit each "
+        "row, which docs/results/devices.md shows and scripts/fit-delays reads",
     )
     parser.add_argument(
-        "--keep",
-        metavar="FILE",
-        help="also keep the clocks and the ends that limit them, for scripts/fit-delays; {unit} in "
-        "the name stands for each unit's",
+        "--clock",
+        action="store_true",
+        help=f"also state the clock of {rtl_files.CORE} in hls/configs/clocks.json, at which dynrt "
+        "and the documents count frames per second",
     )
     return parser.parse_args()
 
@@ -157,11 +166,13 @@ class Run:
         )
         self.there = shutil.which(self.placer["program"]) is not None
         self.done: dict[str, place_row.Row] = {}
+        self.written = True  # all that was asked for
+        self.seeds = args.seed or range(1, args.seeds + 1)
 
     def _period(self) -> float:
         """Of the Verilog that is there already, where nothing else is placed."""
         if set(self.names) <= set(rtl_files.WHOLE):
-            return kept_placement.scheduled_for(
+            return place_record.scheduled_for(
                 rtl_files.generated(self.args.config, self.args.build)
             )
         return float(self.args.clock_ns)
@@ -189,6 +200,8 @@ class Run:
                     else:
                         row, seed = placements[job]
                         row.add(seed, job, self.placer["program"])
+                        if row.placed and row.placed[-1]["seed"] == seed:
+                            self._tell(f"{row.name}, seed {seed}: {row.placed[-1]['mhz']:.1f} MHz")
                         left[row.name] -= 1
                     if left[row.name] == 0:
                         self._finish(row)
@@ -202,13 +215,13 @@ class Run:
             print(f"place: {error}", file=sys.stderr)
             return place_row.Row(name, {"unit": name, "note": f"failed: {error}"})
 
-    def _seeds(self, row: place_row.Row) -> range:
+    def _seeds(self, row: place_row.Row) -> Sequence[int]:
         if row.subject is None or "note" in row.data:
-            return range(0)
+            return ()
         if not self.there:
             row.data["note"] = f"{self.placer['program']} is not on the PATH"
-            return range(0)
-        return range(1, self.args.seeds + 1)
+            return ()
+        return self.seeds
 
     def _place(self, row: place_row.Row, seed: int) -> Json:
         assert row.subject is not None  # or it would have no seeds
@@ -216,8 +229,16 @@ class Run:
             self.target,
             row.subject,
             seed,
-            lambda: project.show_progress(f"placing {row.name}, seed {seed}"),
+            lambda: self._tell(f"placing {row.name}, seed {seed}"),
         )
+
+    @staticmethod
+    def _tell(text: str) -> None:
+        """On a terminal over the line before, elsewhere as a line of a log."""
+        if sys.stderr.isatty():
+            project.show_progress(text)
+        else:
+            print(f"place: {text}", file=sys.stderr, flush=True)
 
     def _finish(self, row: place_row.Row) -> None:
         row.finish()
@@ -231,24 +252,20 @@ class Run:
             if self.args.json:
                 project.write_json(self.args.json, self.data())
             if self.args.record:
-                record = place_record.summary(self.data(), self.args.seeds)
-                project.write_json(self.args.record, record)
-            if self.args.keep and row.placed and row.subject:
-                self._keep(row, row.subject)
-        except OSError as error:
-            row.kept = False
-            print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
+                place_record.write(self.args.record, self.record())
+            if self.args.clock and row.name == rtl_files.CORE and row.placed and not row.failures:
+                placed_clocks.write(place_record.clock_of(self.record()))
+        except (OSError, project.Failed) as error:
+            self.written = False
+            print(f"place: {row.name} is placed and not recorded: {error}", file=sys.stderr)
 
-    def _keep(self, row: place_row.Row, subject: placing.Subject) -> None:
-        """Writes the kept placement of a row, or a sentence that says why there is none."""
-        file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
-        try:
-            if row.failures:
-                raise project.Failed(f"not every seed was; {file} stays as it is")
-            kept_placement.write(file, kept_placement.of_row(row.data, subject, self.data()))
-        except project.Failed as error:
-            row.kept = False
-            print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
+    def record(self) -> Json:
+        """What is kept of the rows that are done."""
+        said = {
+            key: value for key, value in self.data().items() if key not in ("units", "clock_ns")
+        }
+        rows = [self.done[name] for name in self.names if name in self.done]
+        return place_record.of_rows(said, rows, self.seeds)
 
     def data(self) -> Json:
         """The rows that are done, in the order of their names on the command line."""
@@ -264,19 +281,18 @@ class Run:
         }
 
     def failed(self) -> bool:
-        """Whether a row has no placement, lacks one of a seed, or is not kept."""
-        return any(row.failures or not (row.placed and row.kept) for row in self.done.values())
+        """Whether a row has no placement or lacks one of a seed, or a file is not written."""
+        return not self.written or any(r.failures or not r.placed for r in self.done.values())
 
     def summary(self) -> str:
         """A sentence with every row that has no placement, in the order of the names, or else with
         those of which a part is missing."""
         rows = [self.done[name] for name in self.names]
         missing = [row for row in rows if not row.placed]
-        reasons = "; ".join(f"{row.name} ({place_record.reason(row.data)})" for row in missing)
+        reasons = "; ".join(f"{row.name} ({place_row.reason(row.data)})" for row in missing)
         if missing:
             return f"not placed are {len(missing)} of {len(rows)} rows: {reasons}"
-        unkept = ", ".join(row.name for row in rows if not row.kept)
-        return f"not kept are {unkept}" if unkept else "not every seed was placed"
+        return "not every seed was placed" if self.written else "not everything is recorded"
 
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
@@ -315,8 +331,8 @@ def check(args: argparse.Namespace) -> None:
     for flag in ("json", "record"):
         if path := getattr(args, flag):
             project.check_output(f"--{flag}", path)
-    if args.keep:
-        project.check_output("--keep", pathlib.Path(args.keep))
+    if args.clock and args.copies > 1:
+        project.fail("--clock is of one core alone; leave out --copies")
 
 
 def main() -> int:
@@ -326,11 +342,8 @@ def main() -> int:
         names, build = chosen(args)
     except project.Failed as error:
         project.fail(error)
-    if args.keep and len(names) != 1 and "{unit}" not in args.keep:
-        project.fail(
-            f"--keep {args.keep}: a file keeps one placed thing; write {{unit}} in its name, or "
-            "name one UNIT"
-        )
+    if args.clock and rtl_files.CORE not in names:
+        project.fail(f"--clock is that of {rtl_files.CORE}, which is not placed here; name it")
     run = Run(args, names)
     if not run.there:
         print(

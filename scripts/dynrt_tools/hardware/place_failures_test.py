@@ -81,16 +81,14 @@ class Fails(StandIn):
         self.assertEqual((record["units"], record["longest path by Yosys, ns"]), ({}, 2.5))
         self.assertIn("does not fit", record["not placed"]["sum"]["reason"])
 
-    def test_a_seed_that_does_not_fit_is_an_error_and_changes_no_kept_placement(self) -> None:
-        kept = self.folder / "sum.json"
-        kept.write_text("as before", encoding="utf-8")
-        code, output, errors, data = self.called("full:2", keep=str(kept))
+    def test_a_seed_that_does_not_fit_is_an_error_and_limits_nothing(self) -> None:
+        code, output, errors, data = self.called("full:2")
         self.assertEqual(code, 1)
         self.assertIn("placed no sum with seed 2: does not fit: Unable to place cell", errors)
-        self.assertIn(f"not every seed was; {kept} stays as it is", errors)
+        self.assertIn("place: not every seed was placed\n", errors)
         self.assertEqual(len(data["units"][0]["placed"]), 2)
         self.assertRegex(output, r"sum +2 +3.00 +40 +244")
-        self.assertEqual(kept.read_text(encoding="utf-8"), "as before")
+        self.assertEqual(project.read_json(self.folder / "record.json")["ends"], [])
 
     @unittest.skipIf(shutil.which("nextpnr-ecp5", path="/usr/bin:/bin"), "nextpnr-ecp5 is there")
     def test_without_a_placer_the_rows_have_the_timing_of_yosys(self) -> None:

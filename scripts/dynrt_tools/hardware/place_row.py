@@ -25,6 +25,11 @@ from dynrt_tools.project import Json
 NO_FIT = "does not fit: "
 
 
+def reason(row: Json) -> str:
+    """Why a row has no placement."""
+    return str(row.get("note") or "no seed was placed")
+
+
 @dataclass
 class Row:
     """What becomes one row of the table: its figures so far, and the seeds that are under way."""
@@ -34,7 +39,6 @@ class Row:
     subject: placing.Subject | None = None
     placed: list[Json] = field(default_factory=list)
     failures: list[Json] = field(default_factory=list)
-    kept: bool = True  # where --keep asks for it
 
     def add(self, seed: int, job: concurrent.futures.Future[Json], program: str) -> None:
         """The result of a seed, or a sentence that says why there is none."""

@@ -6,9 +6,16 @@ import unittest
 from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import block_registers, kept_placement, model_file, placers
+from dynrt_tools.hardware import (
+    block_registers,
+    model_file,
+    place_record,
+    placed_clocks,
+    placers,
+    rtl_files,
+)
 from dynrt_tools.hardware.place_stand_in import UNIT, StandIn
-from dynrt_tools.project import Json
+from dynrt_tools.project import ROOT, Json
 
 
 class Placed(StandIn):
@@ -17,17 +24,6 @@ class Placed(StandIn):
         self.assertEqual((code, errors), (0, ""))
         self.assertTrue((self.folder / "kept" / data["units"][0]["placed"][0]["run"]).is_dir())
         self.assertRegex(output, r"sum +2 +3.00 +40 +244 +244 to 244 +4.10 +137 %")
-        record = project.read_json(self.folder / "record.json")
-        shown = {"stages": 2, "predicted, ns": 3.0, "cells": 40, "ends too slow": 0}
-        shown |= {
-            "MHz, median": 244,
-            "range low": 244,
-            "range high": 244,
-            "placed, ns": 4.1,
-            "of predicted": 137,
-        }
-        self.assertEqual(record["units"], {"sum": shown})
-        self.assertEqual(record["lowered"], {"units": 1, "of": 1, "stages": 2})
         self.assertIn("4.10 ns = 1.10 logic + 3.00 wires, 2 levels, 1 ends", output)
         (row,) = data["units"]
         self.assertEqual([p["seed"] for p in row["placed"]], [1, 2, 3])
@@ -36,56 +32,59 @@ class Placed(StandIn):
         self.assertEqual(len(placed["paths"][0]["hops"]), 4)
         self.assertTrue(placed["netlist"])
 
-    def test_a_placement_is_kept(self) -> None:
-        source = self.folder / "sum.v"
-        source.write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", encoding="utf-8")
-        self.called(keep=str(self.folder / "{unit}.json"))
-        kept = kept_placement.read(self.folder / "sum.json")
-        shown = {key: kept[key] for key in ("unit", "device", "grade", "copies", "placer", "seeds")}
-        self.assertEqual(
-            shown,
-            {
-                "unit": "sum",
-                "device": "ecp5-85",
-                "grade": "6",
-                "copies": 1,
-                "placer": "nextpnr-0.11",
-                "seeds": 3,
-            },
-        )
-        self.assertEqual(kept["clock_ns"], 3.5)
-        self.assertEqual(kept["model"], self.model("ecp5.json"))
-        self.assertAlmostEqual(kept_placement.period(kept), 4.1, delta=0.01)
-        self.assertEqual(kept["verilog"], kept_placement.hash_of("sum", [source]))
-        (end,) = kept_placement.that_limit(kept)
-        self.assertEqual((end["ns"], end["median"]), ([4.1, 4.1, 4.1], 4.1))
-
-    @staticmethod
-    def model(name: str) -> dict[str, float]:
-        return model_file.constants(project.ROOT / "hls/compiler/delay" / name)
-
-    def test_what_is_kept_has_the_model_that_its_row_was_lowered_by(self) -> None:
-        (self.folder / "sum.v").write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", "utf-8")
+    def test_a_record_has_what_the_documents_and_a_fit_need(self) -> None:
         self.delay = {"delay": "hls/compiler/delay/ecp5-8.json"}
-        self.called(seeds=1, grade="8", keep=str(self.folder / "{unit}.json"))
-        kept = kept_placement.read(self.folder / "sum.json")
-        self.assertEqual(kept["model"], self.model("ecp5-8.json"))
+        self.called(grade="8", ask_mhz=300.0)
+        record = place_record.read(self.folder / "record.json")
+        for key, value in (
+            ("device", "ecp5-85"),
+            ("grade", "8"),
+            ("copies", 1),
+            ("placer", "nextpnr-0.11"),
+            ("seeds", 3),
+            ("date", project.today()),
+            ("lowered", {"units": 1, "of": 1, "stages": 2}),
+        ):
+            self.assertEqual(record[key], value, key)
+        row = record["units"]["sum"]
+        shown = (row["stages"], row["cells"], row["MHz, median"], row["placed, ns"])
+        self.assertEqual(shown, (2, 40, 244, 4.1))
+        self.assertEqual((row["of predicted"], row["clock_ns"]), (137, 3.5))
+        (file, constants), *_ = record["models"].items()
+        self.assertEqual((file, constants), (row["delay"], model_file.constants(ROOT / file)))
+        self.assertEqual(row["verilog"], place_record.hash_of("sum", [self.folder / "sum.v"]))
+        (end,) = record["ends"]
+        self.assertEqual((end["row"], end["ns"], end["median"]), ("sum", [4.1, 4.1, 4.1], 4.1))
+        self.assertEqual(list(place_record.for_a_fit(record)), ["sum"])
 
-    def test_a_row_that_cannot_be_kept_leaves_the_others(self) -> None:
-        (self.folder / "sum.v").write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", "utf-8")
-        code, output, errors, data = self.called(
-            names=("wide", "sum"), seeds=1, keep=str(self.folder / "{unit}.json")
+    def test_what_cannot_be_recorded_is_named(self) -> None:
+        (self.folder / "wide.v").write_text(
+            UNIT.partition("\n")[2].replace("sum", "wide", 1), "utf-8"
         )
+        code, output, errors, data = self.called(names=("wide", "sum"), seeds=1)
         self.assertEqual(code, 1)
-        self.assertEqual(
-            errors,
-            "place: wide is placed and not kept: no unit is among the files; their periods would be "
-            "in their heads\nplace: not kept are wide\n",
-        )
+        self.assertIn("place: wide is placed and not recorded: no unit is among the files", errors)
+        self.assertIn("place: not everything is recorded\n", errors)
         self.assertRegex(output, r"sum +2 +3.00 +40 +244")
         self.assertTrue(data["complete"])
-        self.assertEqual(kept_placement.read(self.folder / "sum.json")["unit"], "sum")
-        self.assertFalse((self.folder / "wide.json").exists())
+
+    def test_the_clock_of_a_core_is_stated(self) -> None:
+        for mode, stated in (("no route:2", 0), ("", 1)):
+            with mock.patch.object(rtl_files, "CORE", "sum"), mock.patch.object(
+                placed_clocks, "write"
+            ) as write:
+                self.called(mode, clock=True)
+            self.assertEqual(write.call_count, stated, mode)
+        (clock,) = write.call_args.args
+        self.assertEqual(clock.key, ("ecp5-85", "6", "thesis"))
+        self.assertEqual((clock.mhz, clock.seeds, clock.date), (243.9, 3, project.today()))
+
+    def test_any_seeds_and_a_line_for_each(self) -> None:
+        *_, data = self.called(seed=[7, 11])
+        (row,) = data["units"]
+        self.assertEqual([p["seed"] for p in row["placed"]], [7, 11])
+        self.assertIn("place: placing sum, seed 11\n", self.progress)
+        self.assertIn("place: sum, seed 11: 243.9 MHz\n", self.progress)
 
     def test_clock_and_grade_reach_the_placer(self) -> None:
         for asked, mhz, grade in ((None, "100.0000", "6"), (120.0, "120.0000", "8")):

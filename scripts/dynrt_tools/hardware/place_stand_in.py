@@ -9,6 +9,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import tempfile
 import unittest
 from collections.abc import Callable, Sequence
@@ -27,6 +28,7 @@ from dynrt_tools.hardware.placed_example import SDF
 from dynrt_tools.project import Json
 
 UNIT = """\
+// Scheduled for 3.5 ns on x: y
 module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [4:0] sum_o);
   reg [4:0] sum_q;
   always @(posedge clk_i) sum_q <= rst_ni ? a_i + b_i : 5'd0;
@@ -66,6 +68,7 @@ if mode != "silent":
 if mode != "no delays":
     open(value["--sdf"], "w").write(open(os.environ["SDF"]).read())
 """
+PROGRESS = re.compile(r"place: (placing )?\w+, seed \d+")
 
 
 class StandIn(unittest.TestCase):
@@ -73,6 +76,7 @@ class StandIn(unittest.TestCase):
 
     def setUp(self) -> None:
         self.delay: Json = {}  # the model of a row that is no core
+        self.progress: list[str] = []  # lines of the last call
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -111,6 +115,7 @@ class StandIn(unittest.TestCase):
             "clock_ns": 10.0,
             "ask_mhz": None,
             "seeds": 3,
+            "seed": None,
             "copies": 1,
             "paths": 3,
             "timeout": 1.0,
@@ -118,7 +123,7 @@ class StandIn(unittest.TestCase):
             "jobs": 1,
             "json": data,
             "record": self.folder / "record.json",
-            "keep": None,
+            "clock": False,
         } | flags
         synthesis.tool_version.cache_clear()
         output, errors = io.StringIO(), io.StringIO()
@@ -139,7 +144,10 @@ class StandIn(unittest.TestCase):
         ):
             code = place.main()
         synthesis.tool_version.cache_clear()
-        return code, output.getvalue(), errors.getvalue(), project.read_json(data)
+        said = errors.getvalue().splitlines(keepends=True)
+        self.progress = [line for line in said if PROGRESS.match(line)]
+        others = "".join(line for line in said if line not in self.progress)
+        return code, output.getvalue(), others, project.read_json(data)
 
     def prepare(self, name: str, args: argparse.Namespace, _: object) -> place_row.Row:
         subject = placing.Subject(name, [self.folder / f"{name}.v"], args.copies)

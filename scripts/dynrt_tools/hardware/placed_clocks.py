@@ -1,23 +1,18 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The clocks that cores reached when they were placed and routed. Every figure of frames per second
-comes from here: those of the program dynrt, of the scripts and of the pages.
+"""The clocks that cores reached when they were placed and routed: hls/configs/clocks.json, which
+`scripts/place --clock` writes. Every figure of frames per second comes from there: those of the
+program dynrt, of the scripts and of the pages."""
 
-Each file docs/results/data/place_core*.json is one placement that `scripts/place --keep` wrote; the
-command stands in runs.json. This module alone knows how they are kept."""
-
+import dataclasses
+import json
 import pathlib
 import re
-import statistics
 from dataclasses import dataclass
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, kept_placement, placers, rtl_files
-from dynrt_tools.project import Json
 
-DATA = kept_placement.DATA
-FILES = "place_core*.json"
-DEVICE = "ecp5-85"  # that figures are for where no other is named, at its default grade
+FILE = project.ROOT / "hls" / "configs" / "clocks.json"
 THESIS_MHZ = 85  # the clock of the thesis's prototype, beside which figures are compared with it
 
 # Figures that follow from counted clocks and a clock in MHz. Kept data leave them out.
@@ -28,25 +23,34 @@ DIGITS = 1  # of a clock in MHz, behind the point
 
 @dataclass(frozen=True)
 class PlacedClock:
-    """The clock of a core on a device, and the run that measured it."""
+    """The clock of a core on a device, and the placement that measured it."""
 
-    device: str
-    grade: str  # empty on a device that has but one
     configuration: str
+    device: str  # as scripts/place names it
+    part: str  # the device in words
+    grade: str  # empty on a device that has but one
     mhz: float  # median of the seeds
     lowest_mhz: float
     highest_mhz: float
     seeds: int
     placer: str  # with its version
-    verilog: str  # kept_placement.hash_of what was placed
-    earlier: bool  # the checked-in Verilog is another by now; of others nobody can tell
-    command: str
+    date: str  # on which it was placed: year, month and day
+    verilog: str  # place_record.hash_of what was placed
 
     @property
     def where(self) -> str:
         """The device and its grade in words."""
-        name = devices.DEVICES[self.device]["name"]
-        return name + (f", grade {self.grade}" if self.grade else "")
+        return self.part + (f", grade {self.grade}" if self.grade else "")
+
+    @property
+    def day(self) -> str:
+        """The date in words."""
+        return project.day(self.date)
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """Of these there is one clock."""
+        return self.device, self.grade, self.configuration
 
     def of_core(self, configuration: str) -> str:
         """What the clock is for a configuration, in words."""
@@ -55,59 +59,26 @@ class PlacedClock:
         return text + (missing if configuration != self.configuration else "")
 
 
-def _read(path: pathlib.Path, data: Json) -> PlacedClock:
-    runs = project.read_json(path.parent / "runs.json")
-    if path.stem not in runs:
-        raise project.Failed(f"{path.name}: runs.json names no command that measured it; add one")
-    command = runs[path.stem]["command"]
-    if rtl_files.CORE not in data["units"]:
-        raise project.Failed(
-            f"{path.name}: has no placement of {rtl_files.CORE}; '{command}' makes it"
-        )
+def load(path: pathlib.Path = FILE) -> list[PlacedClock]:
+    """Every clock; the first has the device and the grade that figures are for where no other is
+    named."""
     try:
-        return PlacedClock(
-            device=data["device"],
-            grade=data["grade"],
-            configuration=data["config"],
-            mhz=round(statistics.median(data["mhz"]), DIGITS),
-            lowest_mhz=round(min(data["mhz"]), DIGITS),
-            highest_mhz=round(max(data["mhz"]), DIGITS),
-            seeds=data["seeds"],
-            placer=f"{placers.PLACERS[data['device']]['program']} {data['placer']}",
-            verilog=data["verilog"],
-            earlier=kept_placement.is_earlier({"unit": rtl_files.CORE} | data),
-            command=command,
-        )
-    except KeyError as error:
-        raise project.Failed(f"{path.name}: has no {error}; '{command}' writes it") from error
-
-
-def _order(clock: PlacedClock) -> tuple[object, ...]:
-    grades = placers.PLACERS[clock.device]["grades"]
-    return (
-        clock.device != DEVICE,
-        clock.device,
-        grades.index(clock.grade) if clock.grade in grades else len(grades),
-        clock.configuration != rtl_files.CHECKED_IN,
-        clock.configuration,
-    )
-
-
-def load(folder: pathlib.Path = DATA) -> list[PlacedClock]:
-    """Every placement of one core alone: the default device and grade first, and of each device and
-    grade the checked-in configuration first."""
-    files = {path: project.read_json(path) for path in folder.glob(FILES)}
-    alone = {path: data for path, data in files.items() if data.get("copies", 1) == 1}
-    clocks = sorted((_read(path, data) for path, data in alone.items()), key=_order)
-    keys = [(c.device, c.grade, c.configuration) for c in clocks]
+        clocks = [PlacedClock(**row) for row in project.read_json(path)]
+    except (TypeError, ValueError) as error:
+        raise project.Failed(f"{path}: cannot be read: {error}") from error
+    keys = [clock.key for clock in clocks]
     for twice in {key for key in keys if keys.count(key) > 1}:
-        raise project.Failed(
-            f"{folder}: two files of {FILES} have a placement of {twice[2]} on {twice[0]}, grade "
-            f"'{twice[1]}'; keep one"
-        )
-    if not clocks:
-        raise project.Failed(f"{folder}: has no {FILES}; scripts/place --keep writes one")
+        raise project.Failed(f"{path}: has two clocks of {', '.join(twice)}; keep one")
     return clocks
+
+
+def write(clock: PlacedClock, path: pathlib.Path = FILE) -> None:
+    """States a clock, in place of the one of the same core, device and grade."""
+    before = load(path)
+    clocks = [clock if old.key == clock.key else old for old in before]
+    clocks += [clock] if clock not in clocks else []
+    rows = ",\n".join(f"  {json.dumps(dataclasses.asdict(row))}" for row in clocks)
+    path.write_text(f"[\n{rows}\n]\n", encoding="utf-8")
 
 
 def of(configuration: str, clocks: list[PlacedClock] | None = None) -> PlacedClock:

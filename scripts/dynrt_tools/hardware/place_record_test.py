@@ -1,8 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Kept placements: which ends they have, what their hash is of, and files that are none."""
+"""Records of placements: which ends they have, what their hash is of, and files that are none."""
 
-import json
 import pathlib
 import tempfile
 import typing
@@ -10,16 +9,14 @@ import unittest
 
 from dynrt_tools import project, testing
 from dynrt_tools.hardware import (
-    kept_placement,
-    placed_clocks,
+    place_record,
     placed_ends,
-    placing,
     source_names,
     synthesis,
     timing_graph,
 )
 from dynrt_tools.hardware.placed_example import SDF, with_second_bit
-from dynrt_tools.project import Json, read_json
+from dynrt_tools.project import Json
 
 
 def ends(**times: float) -> dict[placed_ends.End, Json]:
@@ -33,7 +30,7 @@ def ends(**times: float) -> dict[placed_ends.End, Json]:
 
 class Limiting(unittest.TestCase):
     def found(self, *by_seed: dict[placed_ends.End, Json], periods: list[float]) -> Json:
-        rows = kept_placement.limiting(by_seed, periods)
+        rows = place_record.limiting("u", by_seed, periods)
         return {row["signal"]: (row["ns"], row["median"]) for row in rows}
 
     def test_an_end_limits_in_one_seed_or_in_the_median(self) -> None:
@@ -46,40 +43,11 @@ class Limiting(unittest.TestCase):
         self.assertEqual(found, {"always": ([10, 9.5, 12], 10), "once": ([9, 7, None], 7)})
 
     def test_the_worst_comes_first_with_the_line_of_the_median(self) -> None:
-        rows = kept_placement.limiting(
-            [ends(a=9, b=10), ends(a=9.5, b=9), ends(a=9.2, b=9.9)], [10, 10, 10]
+        rows = place_record.limiting(
+            "u", [ends(a=9, b=10), ends(a=9.5, b=9), ends(a=9.2, b=9.9)], [10, 10, 10]
         )
         self.assertEqual([row["signal"] for row in rows], ["b", "a"])
         self.assertEqual(rows[0]["source"], "line of 9.9")
-
-    def test_of_what_is_kept_the_median_s_are_judged(self) -> None:
-        kept = {"mhz": [100, 125, 80], "limits": 0.85, "ends": [{"median": 8.5}, {"median": 8.4}]}
-        self.assertEqual(kept_placement.that_limit(kept), [{"median": 8.5}])
-
-
-class Kept(unittest.TestCase):
-    def test_cores_were_placed_as_the_script_places_now(self) -> None:
-        files = sorted(kept_placement.DATA.glob(placed_clocks.FILES))
-        self.assertTrue(files)
-        for path in files:
-            kept = kept_placement.read(path)
-            again = (
-                f"{path.name}: made with other tools or flags; its command in runs.json renews it"
-            )
-            self.assertEqual(kept["tools"], placing.tools(kept["device"]), again)
-
-    def test_those_of_an_earlier_verilog_are_named(self) -> None:
-        """As a test that is skipped, since a machine without the placer cannot renew them."""
-        kept = {
-            p.name: kept_placement.read(p)
-            for p in kept_placement.DATA.glob("place_*.json")
-            if "ends" in read_json(p)
-        }
-        whole = {name: k for name, k in kept.items() if kept_placement.of_checked_in(k)}
-        self.assertIn("place_core.json", whole)
-        earlier = sorted(name for name, k in whole.items() if not kept_placement.is_current(k))
-        if earlier:
-            self.skipTest(f"of an earlier Verilog: {', '.join(earlier)}; place them again")
 
 
 class Names(unittest.TestCase):
@@ -143,7 +111,7 @@ class Files(testing.InFolder):
             files[-1].write_text(text, encoding="utf-8")
         synthesis._text.cache_clear()  # pylint: disable=protected-access
         synthesis.meaning.cache_clear()
-        return kept_placement.hash_of("a", files)
+        return place_record.hash_of("a", files)
 
     def test_the_hash_is_of_the_headers_too(self) -> None:
         first = self.hash(a=self.MODULE)
@@ -157,46 +125,51 @@ class Files(testing.InFolder):
         self.assertEqual(self.hash(a=self.MODULE + "// why\n", b=inner, c=other), first)
         self.assertNotEqual(self.hash(a=self.MODULE, b=inner.replace("clk_i", "clock_i")), first)
 
+    def record(self, **row: object) -> Json:
+        row = {"mhz": [100.0, 125.0, 80.0], "delay": "a"} | row
+        return {
+            "copies": 1,
+            "asked_mhz": 110,
+            "units": {"list": row},
+            "models": {},
+            "ends": [{"row": "list"}],
+        }
+
     def test_what_is_written_is_read(self) -> None:
-        kept = {key: 1 for key in kept_placement.HAS} | {"ends": [{"signal": "a"}, {"signal": "b"}]}
-        path = self.folder / "kept.json"
-        kept_placement.write(path, kept)
-        self.assertEqual(kept_placement.read(path), kept)
-        self.assertIn('\n    {"signal": "a"},\n', path.read_text(encoding="utf-8"))
+        path = self.folder / "record.json"
+        record = self.record()
+        place_record.write(path, record)
+        self.assertEqual(place_record.read(path), record)
+        self.assertIn('\n    {"row": "list"}\n', path.read_text(encoding="utf-8"))
 
     def test_a_fit_takes_cores_and_units_with_a_median(self) -> None:
-        path = self.folder / "kept.json"
-        good: Json = {key: 1 for key in kept_placement.HAS}
-        good |= {"unit": "list", "mhz": [1.0, 2.0, 3.0], "ends": []}
-        cases: list[tuple[Json, bool]] = [
-            ({}, True),
-            ({"mhz": [1.0, 2.0]}, False),
-            ({"copies": 2}, False),
-            ({"unit": "dynrt_board"}, False),
-        ]
-        for change, fits in cases:
-            kept_placement.write(path, good | change)
-            self.assertEqual(kept_placement.is_for_a_fit(path), fits, change)
+        good = self.record()
+        board = good | {"units": {"dynrt_board": good["units"]["list"]}}
+        board["ends"] = [{"row": "dynrt_board"}]
+        for record, fits in (
+            (good, ["list"]),
+            (good | {"ends": []}, []),
+            (good | {"copies": 2}, []),
+            (good | {"asked_mhz": 90}, []),
+            (self.record(mhz=[1.0, 2.0]), []),
+            (board, []),
+        ):
+            self.assertEqual(list(place_record.for_a_fit(record)), fits)
 
     def test_a_file_that_is_none_is_refused(self) -> None:
-        path = self.folder / "kept.json"
-        cases = {
-            "{": "cannot be read",
-            "[1]": "is no kept placement, as it has no 'unit'",
-            json.dumps({"unit": "list"}): "is no kept placement, as it has no 'config'",
-        }
-        for text, said in cases.items():
+        path = self.folder / "record.json"
+        for text, said in (("{", "Expecting"), ("[1]", "list indices"), ("{}", "'units'")):
             path.write_text(text, encoding="utf-8")
-            with self.assertRaisesRegex(project.Failed, f"kept.json: {said}.*scripts/place --keep"):
-                kept_placement.read(path)
-        with self.assertRaisesRegex(project.Failed, r"none.json: cannot be read \(No such file"):
-            kept_placement.read(self.folder / "none.json")
+            with self.assertRaisesRegex(project.Failed, f"is no record of placements .{said}"):
+                place_record.read(path)
+        with self.assertRaisesRegex(project.Failed, r"none.json: is no record .*\(No such file"):
+            place_record.read(self.folder / "none.json")
 
     def test_without_a_schedule_there_is_no_promise(self) -> None:
         path = self.folder / "a.v"
         path.write_text(self.MODULE, encoding="utf-8")
         with self.assertRaisesRegex(project.Failed, "no unit is among the files"):
-            kept_placement.scheduled_for([path])
+            place_record.scheduled_for([path])
 
 
 if __name__ == "__main__":
