@@ -13,9 +13,9 @@ namespace {
 Case view(const std::string& name, const std::string& about,
           const std::function<Scene(const MemoryFormat&)>& scene, std::vector<Shot> shots,
           const Allowed& allowed = {}, const std::string& why = "") {
-  return {"cameras", name,
-          about,     [=](Examiner& b) { b.check({.scene = scene(b.numbers()), .shots = shots}); },
-          allowed,   why};
+  return Case(
+      name, about, [=](Examiner& b) { b.check({.scene = scene(b.numbers()), .shots = shots}); },
+      allowed, why);
 }
 
 Scene one_triangle(const MemoryFormat&) {
@@ -40,14 +40,10 @@ std::vector<Shot> odd_sizes() {
 
 std::vector<Case> camera_cases() {
   return {
-      {"cameras",
-       "empty_scene",
-       "a scene without an instance, which the host must refuse",
-       [](Examiner& b) {
-         b.expect_refusal({.scene = {}, .shots = {ray({0, 0, 0}, {0, 0, 1})}}, "no instances");
-       },
-       {},
-       ""},
+      Case("empty_scene", "a scene without an instance, which the host must refuse",
+           [](Examiner& b) {
+             b.expect_refusal({.scene = {}, .shots = {ray({0, 0, 0}, {0, 0, 1})}}, "no instances");
+           }),
       view("one_triangle", "a scene of one triangle", one_triangle,
            {pencil({0, 0, 1}, {-0.734375, -0.734375, -1}, {0.0625, 0, 0}, {0, 0.0625, 0}, 24, 24)}),
       view("all_behind", "a sphere behind the camera", ball,

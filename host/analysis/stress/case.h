@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/analysis/stress/examiner.h"
@@ -17,12 +18,20 @@
 namespace dynrt::host::stress {
 
 struct Case {
-  std::string group;
+  Case(std::string its_name, std::string its_about, std::function<void(Examiner&)> its_run,
+       const Allowed& allowed_on_thesis = {}, std::string reason = "")
+      : name(std::move(its_name)),
+        about(std::move(its_about)),
+        run(std::move(its_run)),
+        on_thesis(allowed_on_thesis),
+        why(std::move(reason)) {}
+
+  std::string group;  ///< set where the groups are joined
   std::string name;   ///< within the group
   std::string about;  ///< description of scene and rays
   std::function<void(Examiner&)> run;
-  Allowed on_thesis{};  ///< the allowed errors of cores that compute as the thesis's
-  std::string why{};    ///< their reason
+  Allowed on_thesis;  ///< the allowed errors of cores that compute as the thesis's
+  std::string why;    ///< their reason
 
   /// The allowed errors on a board, and their reason; stated if its core computes like those that
   /// were measured. A watertight core has no cracks between triangles.

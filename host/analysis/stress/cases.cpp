@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "host/analysis/stress/bounds.h"
 #include "host/analysis/stress/case.h"
@@ -17,11 +16,32 @@ namespace dynrt::host::stress {
 namespace {
 
 std::vector<Case> all_cases() {
+  struct Group {
+    const char* name;
+    std::vector<Case> (*cases)();
+  };
+  static constexpr Group kGroups[] = {
+      {"slivers", sliver_cases},
+      {"sizes", size_cases},
+      {"far", far_cases},
+      {"planes", plane_cases},
+      {"grazing", grazing_cases},
+      {"ends", end_cases},
+      {"edges", edge_cases},
+      {"degenerate", degenerate_cases},
+      {"instances", instance_cases},
+      {"overlap", overlap_cases},
+      {"stacks", stack_cases},
+      {"exponents", exponent_cases},
+      {"cameras", camera_cases},
+      {"frames", frame_cases},
+  };
   std::vector<Case> all;
-  for (const auto group : {sliver_cases, size_cases, far_cases, plane_cases, grazing_cases,
-                           end_cases, edge_cases, degenerate_cases, instance_cases, overlap_cases,
-                           stack_cases, exponent_cases, camera_cases, frame_cases}) {
-    std::ranges::move(group(), std::back_inserter(all));
+  for (const Group& group : kGroups) {
+    for (Case& c : group.cases()) {
+      c.group = group.name;
+      all.push_back(std::move(c));
+    }
   }
   return all;
 }

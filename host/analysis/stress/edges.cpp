@@ -24,40 +24,37 @@ Shot to_lattice(double shift_x, double shift_y) {
 }
 
 Case lattice_case(const std::string& name, const std::string& about, std::vector<Shot> shots,
-                  const Allowed& allowed, const std::string& why) {
-  return {"edges",
-          name,
-          about,
-          [=](Examiner& b) { b.check({.scene = scene_of(lattice(kHalf, bumps)), .shots = shots}); },
-          allowed,
-          why};
+                  const Allowed& allowed = {}, const std::string& why = "") {
+  return Case(
+      name, about,
+      [=](Examiner& b) { b.check({.scene = scene_of(lattice(kHalf, bumps)), .shots = shots}); },
+      allowed, why);
 }
 
 /// From inside the sphere to all its vertices, or to the middles of its edges, the sphere
 /// somewhere.
 Case sphere_case(const std::string& name, const std::string& about, bool vertices,
-                 const glm::dvec3& centre, const Allowed& allowed, const std::string& why) {
-  return {"edges",
-          name,
-          about,
-          [=](Examiner& b) {
-            Mesh mesh = moved(sphere(b.numbers(), 2), centre);
-            for (glm::dvec3& vertex : mesh.vertices) vertex = on_grid(b.numbers(), vertex);
-            Trial trial{.scene = scene_of(mesh), .shots = {}};
-            const auto aim = [&](const glm::dvec3& at) {
-              trial.shots.push_back(ray(centre, at - centre));
-            };
-            if (vertices) {
-              for (const glm::dvec3& vertex : mesh.vertices) aim(vertex);
-            } else {
-              for (const glm::uvec3& t : mesh.triangles) {
-                aim(0.5 * (mesh.vertices[t.x] + mesh.vertices[t.y]));
-              }
-            }
-            b.check(trial);
-          },
-          allowed,
-          why};
+                 const glm::dvec3& centre, const Allowed& allowed = {},
+                 const std::string& why = "") {
+  return Case(
+      name, about,
+      [=](Examiner& b) {
+        Mesh mesh = moved(sphere(b.numbers(), 2), centre);
+        for (glm::dvec3& vertex : mesh.vertices) vertex = on_grid(b.numbers(), vertex);
+        Trial trial{.scene = scene_of(mesh), .shots = {}};
+        const auto aim = [&](const glm::dvec3& at) {
+          trial.shots.push_back(ray(centre, at - centre));
+        };
+        if (vertices) {
+          for (const glm::dvec3& vertex : mesh.vertices) aim(vertex);
+        } else {
+          for (const glm::uvec3& t : mesh.triangles) {
+            aim(0.5 * (mesh.vertices[t.x] + mesh.vertices[t.y]));
+          }
+        }
+        b.check(trial);
+      },
+      allowed, why);
 }
 
 void run_cube_corners(Examiner& b) {
@@ -114,40 +111,24 @@ std::vector<Case> edge_cases() {
       lattice_case("diagonals", "to points of its slanting edges",
                    {to_lattice(0.5, 0.5), to_lattice(0.25, 0.25)}, {.lost = 55}, reasons::kCracks),
       lattice_case("beside_vertices", "to points 2^-12 beside its vertices",
-                   {to_lattice(0x1p-9, 0x1p-10), to_lattice(-0x1p-10, 0x1p-9)}, {}, ""),
+                   {to_lattice(0x1p-9, 0x1p-10), to_lattice(-0x1p-10, 0x1p-9)}),
       sphere_case("sphere_vertices", "from the centre of a sphere of 320 triangles to its vertices",
                   true, {0, 0, 0}, {.lost = 12}, reasons::kCracks),
       sphere_case("sphere_edges", "from the centre of the sphere to its edges", false, {0, 0, 0},
                   {.lost = 12}, reasons::kCracks),
       sphere_case("sphere_vertices_at_256", "the same to its vertices, the sphere 256 radii away",
                   true, {256, 0, 0}, {.lost = 53, .distance = 1.9e-3}, reasons::kCracks),
-      {"edges",
-       "cube_corners",
-       "from inside a cube to its corners, edges and faces",
-       run_cube_corners,
-       {},
-       ""},
-      {"edges",
-       "t_junctions",
-       "to and around an edge on which three vertices of other triangles lie",
-       run_t_junctions,
-       {},
-       ""},
-      {"edges",
-       "silhouette",
-       "past a sphere of 320 triangles, from 3 radii",
-       [](Examiner& b) {
-         b.check({.scene = scene_of(sphere(b.numbers(), 2)),
-                  .shots = {picture({1, 0.75, 3}, {0, 0, 0}, 40, 32, 32)}});
-       },
-       {},
-       ""},
-      {"edges",
-       "one_by_one",
-       "eight triangles around a vertex, each tested alone, with rays through edges",
-       run_one_by_one,
-       {.twice = 38},
-       reasons::kSharedEdge},
+      Case("cube_corners", "from inside a cube to its corners, edges and faces", run_cube_corners),
+      Case("t_junctions", "to and around an edge on which three vertices of other triangles lie",
+           run_t_junctions),
+      Case("silhouette", "past a sphere of 320 triangles, from 3 radii",
+           [](Examiner& b) {
+             b.check({.scene = scene_of(sphere(b.numbers(), 2)),
+                      .shots = {picture({1, 0.75, 3}, {0, 0, 0}, 40, 32, 32)}});
+           }),
+      Case("one_by_one",
+           "eight triangles around a vertex, each tested alone, with rays through edges",
+           run_one_by_one, {.twice = 38}, reasons::kSharedEdge),
   };
 }
 

@@ -83,49 +83,29 @@ void run_reflection_starts(Examiner& b) {
 
 std::vector<Case> end_cases() {
   return {
-      {"ends",
-       "on_surface_outward",
-       "from points of a cube's faces outward: there is nothing to hit",
-       [](Examiner& b) { b.check(from_faces(-1)); },
-       {.invented = 12},
-       reasons::kNoZero},
-      {"ends",
-       "on_surface_inward",
-       "from points of a cube's faces inward, to the other faces",
-       [](Examiner& b) { b.check(from_faces(1)); },
-       {.wrong = 72},
-       reasons::kNoZero},
-      {"ends",
-       "inside_sphere",
-       "from a point inside a closed sphere of 320 triangles, all around",
-       [](Examiner& b) {
-         b.check({.scene = scene_of(sphere(b.numbers(), 2)),
-                  .shots = all_around({0.25, 0.125, -0.5}, kSide)});
-       },
-       {},
-       ""},
-      {"ends",
-       "pointing_away",
-       "from just outside the faces of a cube outward",
-       [](Examiner& b) {
-         Trial trial = from_faces(-1);
-         for (Shot& shot : trial.shots) shot.camera.position *= 1.0 + 0x1p-12;
-         b.check(trial);
-       },
-       {},
-       ""},
-      {"ends",
-       "light_at_surface",
-       "light rays that end exactly at the walls of a cube; no point lies in shadow",
-       run_light_ends,
-       {},
-       ""},
-      {"ends",
-       "reflection_from_surface",
-       "up to seven reflections in a closed room of mirrors; no ray may leave it",
-       run_reflection_starts,
-       {},
-       ""},
+      Case(
+          "on_surface_outward", "from points of a cube's faces outward: there is nothing to hit",
+          [](Examiner& b) { b.check(from_faces(-1)); }, {.invented = 12}, reasons::kNoZero),
+      Case(
+          "on_surface_inward", "from points of a cube's faces inward, to the other faces",
+          [](Examiner& b) { b.check(from_faces(1)); }, {.wrong = 72}, reasons::kNoZero),
+      Case("inside_sphere", "from a point inside a closed sphere of 320 triangles, all around",
+           [](Examiner& b) {
+             b.check({.scene = scene_of(sphere(b.numbers(), 2)),
+                      .shots = all_around({0.25, 0.125, -0.5}, kSide)});
+           }),
+      Case("pointing_away", "from just outside the faces of a cube outward",
+           [](Examiner& b) {
+             Trial trial = from_faces(-1);
+             for (Shot& shot : trial.shots) shot.camera.position *= 1.0 + 0x1p-12;
+             b.check(trial);
+           }),
+      Case("light_at_surface",
+           "light rays that end exactly at the walls of a cube; no point lies in shadow",
+           run_light_ends),
+      Case("reflection_from_surface",
+           "up to seven reflections in a closed room of mirrors; no ray may leave it",
+           run_reflection_starts),
   };
 }
 

@@ -25,38 +25,31 @@ Trial sphere_at(const MemoryFormat& numbers, const glm::dvec3& centre) {
           .rays = Rays::kOfCamera};
 }
 
-Case far_scene(int exponent, const Allowed& allowed, const std::string& why) {
+Case far_scene(int exponent, const Allowed& allowed = {}, const std::string& why = "") {
   const double distance = std::pow(10.0, exponent);
-  return {"far",
-          fmt::format("scene_1e{}", exponent),
-          fmt::format("a sphere of radius 1 at 10^{} from the origin, seen from 3 radii", exponent),
-          [=](Examiner& b) { b.check(sphere_at(b.numbers(), distance * kAway)); },
-          allowed,
-          why};
+  return Case(
+      fmt::format("scene_1e{}", exponent),
+      fmt::format("a sphere of radius 1 at 10^{} from the origin, seen from 3 radii", exponent),
+      [=](Examiner& b) { b.check(sphere_at(b.numbers(), distance * kAway)); }, allowed, why);
 }
 
 /// The same, moved by the host: nothing is far away.
 Case fitted_scene(const std::string& name, const std::string& place, const glm::dvec3& centre) {
-  return {"far",
-          "fitted_" + name,
-          "the sphere at " + place + ", fitted to the numbers by the host",
-          [=](Examiner& b) { b.check(fitted(sphere_at(b.numbers(), centre), b.numbers())); },
-          {},
-          ""};
+  return Case("fitted_" + name, "the sphere at " + place + ", fitted to the numbers by the host",
+              [=](Examiner& b) { b.check(fitted(sphere_at(b.numbers(), centre), b.numbers())); });
 }
 
-Case far_camera(int exponent, const Allowed& allowed, const std::string& why) {
+Case far_camera(int exponent, const Allowed& allowed = {}, const std::string& why = "") {
   const double distance = std::pow(10.0, exponent);
-  return {"far",
-          fmt::format("camera_1e{}", exponent),
-          fmt::format("a sphere of radius 1 at the origin, seen from 10^{} radii", exponent),
-          [=](Examiner& b) {
-            b.check({.scene = scene_of(sphere(b.numbers(), 2)),
-                     .shots = {picture(distance * kAway, {0, 0, 0}, 160 / distance, kSide, kSide)},
-                     .rays = Rays::kOfCamera});
-          },
-          allowed,
-          why};
+  return Case(
+      fmt::format("camera_1e{}", exponent),
+      fmt::format("a sphere of radius 1 at the origin, seen from 10^{} radii", exponent),
+      [=](Examiner& b) {
+        b.check({.scene = scene_of(sphere(b.numbers(), 2)),
+                 .shots = {picture(distance * kAway, {0, 0, 0}, 160 / distance, kSide, kSide)},
+                 .rays = Rays::kOfCamera});
+      },
+      allowed, why);
 }
 
 void run_far_instance(Examiner& b) {
@@ -77,22 +70,16 @@ std::vector<Case> far_cases() {
       far_scene(5, {.lost = 135, .invented = 54, .wrong = 130, .distance = 1.9e-2},
                 reasons::kSteps),
       far_scene(6, {.lost = 233, .invented = 115, .wrong = 35}, reasons::kSteps),
-      {"far",
-       "sphere_148376",
-       "a sphere of radius 1 at (148376, 1234, -223423)",
-       [](Examiner& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
-       {.lost = 225, .invented = 77, .wrong = 43},
-       reasons::kSteps},
+      Case(
+          "sphere_148376", "a sphere of radius 1 at (148376, 1234, -223423)",
+          [](Examiner& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
+          {.lost = 225, .invented = 77, .wrong = 43}, reasons::kSteps),
       fitted_scene("scene_1e4", "10^4", 1e4 * kAway),
       fitted_scene("scene_1e6", "10^6", 1e6 * kAway),
       fitted_scene("sphere_148376", "(148376, 1234, -223423)", {148376, 1234, -223423}),
-      {"far",
-       "instance_1e4",
-       "a sphere around its own origin, placed 10^4 radii away",
-       run_far_instance,
-       {},
-       ""},
-      far_camera(2, {}, ""),
+      Case("instance_1e4", "a sphere around its own origin, placed 10^4 radii away",
+           run_far_instance),
+      far_camera(2),
       far_camera(4, {.lost = 5, .invented = 24}, reasons::kFarEye),
   };
 }

@@ -23,17 +23,12 @@ Trial spheres_in_a_room(const MemoryFormat& numbers) {
 
 Case same_bits(const std::string& name, const std::string& about,
                const std::function<void(FrameOptions&, unsigned fewest_lines)>& change) {
-  return {"frames",
-          name,
-          about,
-          [change](Examiner& b) {
-            Trial trial = spheres_in_a_room(b.numbers());
-            const Rendered plain = b.check(trial);
-            change(trial.shots[0].options, b.fewest_lines());
-            b.expect_same(b.render(trial), plain);
-          },
-          {},
-          ""};
+  return Case(name, about, [change](Examiner& b) {
+    Trial trial = spheres_in_a_room(b.numbers());
+    const Rendered plain = b.check(trial);
+    change(trial.shots[0].options, b.fewest_lines());
+    b.expect_same(b.render(trial), plain);
+  });
 }
 
 }  // namespace
@@ -50,15 +45,11 @@ std::vector<Case> frame_cases() {
                 [](FrameOptions& o, unsigned) { o.order = RayOrder::kScanline; }),
       same_bits("uncompressed", "every ray with its own origin: the same bits",
                 [](FrameOptions& o, unsigned) { o.uncompressed = true; }),
-      {"frames",
-       "one_slot",
-       "63 nodes of a tree in one cache line of 512: the same bits",
-       [](Examiner& b) {
-         const Rendered plain = b.check(lower_chain(b.numbers(), 31));
-         b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);
-       },
-       {},
-       ""},
+      Case("one_slot", "63 nodes of a tree in one cache line of 512: the same bits",
+           [](Examiner& b) {
+             const Rendered plain = b.check(lower_chain(b.numbers(), 31));
+             b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);
+           }),
   };
 }
 

@@ -38,25 +38,19 @@ void run(Examiner& b, double degrees, const glm::dmat4& turn) {
 }
 
 Case level(const std::string& name, const std::string& angle, double degrees) {
-  return {"grazing",
-          name,
-          "down to a level floor of 128 triangles at " + angle,
-          [=](Examiner& b) { run(b, degrees, glm::dmat4(1.0)); },
-          {},
-          ""};
+  return Case(name, "down to a level floor of 128 triangles at " + angle,
+              [=](Examiner& b) { run(b, degrees, glm::dmat4(1.0)); });
 }
 
 /// The floor turned so that no component of anything is simple.
 Case slanting(const std::string& name, const std::string& angle, double degrees,
               const Allowed& allowed) {
-  return {"grazing",
-          "slanting_" + name,
-          "the same down to a slanting floor, at " + angle,
-          [=](Examiner& b) {
-            run(b, degrees, glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
-          },
-          allowed,
-          allowed.distance > Allowed{}.distance ? reasons::kGrazing : ""};
+  return Case(
+      "slanting_" + name, "the same down to a slanting floor, at " + angle,
+      [=](Examiner& b) {
+        run(b, degrees, glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
+      },
+      allowed, allowed.distance > Allowed{}.distance ? reasons::kGrazing : "");
 }
 
 }  // namespace

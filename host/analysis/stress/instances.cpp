@@ -26,16 +26,11 @@ Trial placed_sphere(const MemoryFormat& numbers, const glm::dmat4& transform, co
   return trial;
 }
 
-Case scale_case(const std::string& name, double size, const Allowed& allowed,
-                const std::string& why) {
-  return {"instances",
-          name,
-          "a sphere scaled by " + name.substr(6) + ", seen from 3 of its radii",
-          [=](Examiner& b) {
-            b.check(placed_sphere(b.numbers(), scaling(glm::dvec3(size)), at_sphere(size)));
-          },
-          allowed,
-          why};
+Case scale_case(const std::string& name, double size) {
+  return Case(name, "a sphere scaled by " + name.substr(6) + ", seen from 3 of its radii",
+              [=](Examiner& b) {
+                b.check(placed_sphere(b.numbers(), scaling(glm::dvec3(size)), at_sphere(size)));
+              });
 }
 
 /// Scaled by a power of two: the same bits, but for the exponents of distance and cosine.
@@ -86,50 +81,32 @@ void run_turned_vertices(Examiner& b) {
 }
 
 Case placed(const std::string& name, const std::string& about, const glm::dmat4& transform,
-            const Shot& shot, const Allowed& allowed, const std::string& why) {
-  return {"instances", name,
-          about,       [=](Examiner& b) { b.check(placed_sphere(b.numbers(), transform, shot)); },
-          allowed,     why};
+            const Shot& shot, const Allowed& allowed = {}, const std::string& why = "") {
+  return Case(
+      name, about, [=](Examiner& b) { b.check(placed_sphere(b.numbers(), transform, shot)); },
+      allowed, why);
 }
 
 }  // namespace
 
 std::vector<Case> instance_cases() {
   return {
-      scale_case("scale_1e-6", 1e-6, {}, ""),
-      scale_case("scale_1e-3", 1e-3, {}, ""),
-      scale_case("scale_1e3", 1e3, {}, ""),
-      scale_case("scale_1e6", 1e6, {}, ""),
-      {"instances",
-       "scale_2^-20",
-       "a sphere scaled by 2^-20 gives the same bits, with other exponents",
-       [](Examiner& b) { run_power_of_two(b, -20); },
-       {},
-       ""},
-      {"instances",
-       "scale_2^20",
-       "the same, by 2^20",
-       [](Examiner& b) { run_power_of_two(b, 20); },
-       {},
-       ""},
+      scale_case("scale_1e-6", 1e-6),
+      scale_case("scale_1e-3", 1e-3),
+      scale_case("scale_1e3", 1e3),
+      scale_case("scale_1e6", 1e6),
+      Case("scale_2^-20", "a sphere scaled by 2^-20 gives the same bits, with other exponents",
+           [](Examiner& b) { run_power_of_two(b, -20); }),
+      Case("scale_2^20", "the same, by 2^20", [](Examiner& b) { run_power_of_two(b, 20); }),
       placed("sheared", "a sphere sheared by 10 and pressed to a thousandth", sheared(0x1p-10),
              pencil({0, 0, 3}, {-5.25, -0.65625, -3}, {0.5, 0, 0}, {0, 0.0625, 0}, 22, 22),
              {.lost = 1}, reasons::kCracks),
       placed("flat_1e-6", "a sphere pressed to a millionth, seen from above", scaling({1, 1, 1e-6}),
-             at_sphere(1), {}, ""),
-      placed("turned", "a sphere turned by 0.7 about (1, 2, 3)", turned(), at_sphere(1), {}, ""),
-      {"instances",
-       "turned_vertices",
-       "from the centre of the turned sphere to its vertices",
-       run_turned_vertices,
-       {.lost = 15},
-       reasons::kCracks},
-      {"instances",
-       "mirrored",
-       "a mirrored sphere gives the same bits for mirrored rays",
-       run_mirrored,
-       {},
-       ""},
+             at_sphere(1)),
+      placed("turned", "a sphere turned by 0.7 about (1, 2, 3)", turned(), at_sphere(1)),
+      Case("turned_vertices", "from the centre of the turned sphere to its vertices",
+           run_turned_vertices, {.lost = 15}, reasons::kCracks),
+      Case("mirrored", "a mirrored sphere gives the same bits for mirrored rays", run_mirrored),
   };
 }
 

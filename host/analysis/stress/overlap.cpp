@@ -66,46 +66,22 @@ void run_triangles_in_a_leaf(Examiner& b) {
 
 std::vector<Case> overlap_cases() {
   return {
-      {"overlap",
-       "hundred",
-       "a hundred spheres around one centre, each 2^-10 smaller than the one before",
-       [](Examiner& b) {
-         b.check({.scene = spheres_within(b.numbers(), 100, 0x1p-10), .shots = {at_spheres(16)}});
-       },
-       {},
-       ""},
-      {"overlap",
-       "hundred_coincident",
-       "a hundred times the same sphere",
-       [](Examiner& b) {
-         b.check({.scene = spheres_within(b.numbers(), 100, 0), .shots = {at_spheres(16)}});
-       },
-       {},
-       ""},
-      {"overlap",
-       "rooms",
-       "a cube in a sphere in a cube in a cube, from between each two of them",
-       run_rooms,
-       {},
-       ""},
-      {"overlap",
-       "leaf_of_9_objects",
-       "a leaf with more objects than the mailbox has slots",
-       [](Examiner& b) { run_many_in_a_leaf(b, 9); },
-       {},
-       ""},
-      {"overlap",
-       "leaf_of_65_objects",
-       "65 objects in a leaf",
-       [](Examiner& b) { run_many_in_a_leaf(b, 65); },
-       {},
-       ""},
-      {"overlap",
-       "leaf_of_80_triangles",
-       "80 triangles in a leaf",
-       run_triangles_in_a_leaf,
-       {},
-       ""},
+      Case("hundred", "a hundred spheres around one centre, each 2^-10 smaller than the one before",
+           [](Examiner& b) {
+             b.check(
+                 {.scene = spheres_within(b.numbers(), 100, 0x1p-10), .shots = {at_spheres(16)}});
+           }),
+      Case("hundred_coincident", "a hundred times the same sphere",
+           [](Examiner& b) {
+             b.check({.scene = spheres_within(b.numbers(), 100, 0), .shots = {at_spheres(16)}});
+           }),
+      Case("rooms", "a cube in a sphere in a cube in a cube, from between each two of them",
+           run_rooms),
+      Case("leaf_of_9_objects", "a leaf with more objects than the mailbox has slots",
+           [](Examiner& b) { run_many_in_a_leaf(b, 9); }),
+      Case("leaf_of_65_objects", "65 objects in a leaf",
+           [](Examiner& b) { run_many_in_a_leaf(b, 65); }),
+      Case("leaf_of_80_triangles", "80 triangles in a leaf", run_triangles_in_a_leaf),
   };
 }
 
