@@ -19,7 +19,6 @@ GOOD: dict[str, object] = {
     "mantissa_bits": 9,
     "rounding": "truncate",
     "epsilon": 0.25,
-    "sram_latency": 4,
 }
 
 

@@ -29,7 +29,6 @@ class Written(GenerateCase):
             text,
         )
         self.assertIn("static constexpr double kEpsilon = 0.25;", text)
-        self.assertIn("static constexpr unsigned kSramLatency = 4;", text)
 
     def test_defaults(self) -> None:
         text = self.written()
@@ -43,7 +42,7 @@ class Written(GenerateCase):
             ".rectangle = false};",
             "bool kCounters = true;",
             "bool kOneColour = false;",
-            "unsigned kTopStackDepth = 31;",
+            "Datapath kDatapath = Datapath::kThesis;",
             "unsigned kLevels = 2;",
             "unsigned kObjectSlots = 8;",
             "unsigned kTriangleSlots = 8;",

@@ -6,7 +6,7 @@ import json
 import shutil
 import unittest
 
-from configurations import KEYS
+from configurations import GONE, KEYS
 from generate_case import GOOD, GenerateCase, listing
 
 
@@ -26,15 +26,7 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "stack_depth",
             -3,
-            "(entries of a packet's stack in an object's tree; where stack_entries are fewer, nodes "
-            "with two children on a path) is -3; "
-            "it must be a whole number from 1 to 63",
-        )
-        self.assert_key_refused(
-            "sram_latency",
-            0,
-            "(clocks from an SRAM bank's address to its "
-            "data) is 0; it must be a whole number from 3 to 8",
+            f"({KEYS['stack_depth'].about}) is -3; it must be a whole number from 1 to 63",
         )
         self.assert_key_refused(
             "lights",
@@ -149,7 +141,6 @@ class Refused(GenerateCase):
             "triangle_test": "watertight",
             "epsilon": 0.0,
             "exponent_bits": 7,
-            "origins": "common",
         }
         self.assertIn(
             "static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;",
@@ -167,28 +158,6 @@ class Refused(GenerateCase):
                 ["triangle", "sphere"],
                 '["triangle"], as only triangles are mapped to the ray',
             ),
-            (
-                "object_box",
-                "unit",
-                "nodes, as corners are rounded before an object's tree is "
-                "built, not scaled after",
-            ),
-            (
-                "stack_entries",
-                8,
-                "64, as the widened distance of a plane depends on the hit so far, so a packet "
-                "that starts again might take another way",
-            ),
-            (
-                "divider",
-                "reciprocal",
-                "quotient, as a ray's shear is made of its direction, not of reciprocals",
-            ),
-            (
-                "camera",
-                "own_unit",
-                "transformation, as a triangle's corners come on the way of the other rays",
-            ),
             ("epsilon", 0.25, "0, as edges are decided exactly"),
             (
                 "exponent_bits",
@@ -203,116 +172,61 @@ class Refused(GenerateCase):
                 f"'{key}' must be {wants}; it is {json.dumps(value)}",
             )
 
-    def test_the_box_unit_takes_every_ray(self) -> None:
-        self.assert_refused(
-            listing({"object_box": "unit", "rays_sent": "active"}),
-            "configuration 'tiny': with object_box \"unit\" the key 'rays_sent' must be traced, as "
-            'the unit that clips to a box waits for every ray of a packet; it is "active"',
-        )
-        self.assertIn("kActive", self.written(rays_sent="active"))
-
-    def test_a_box_in_the_world_is_seen_from_one_point(self) -> None:
+    def test_fast_maps_are_of_one_origin(self) -> None:
         good = {
-            "object_box": "world",
-            "origins": "common",
-            "rays_sent": "active",
-            "divider": "three_reciprocals",
+            "triangle_test": "watertight",
+            "epsilon": 0.0,
+            "exponent_bits": 7,
+            "datapath": "fast",
         }
-        self.assertIn("kWorld", self.written(**good, lights=2))
-        shutil.rmtree(self.out)
-        for key, value, wants in (
-            (
-                "origins",
-                "each",
-                "common, as an object's box is stored as it lies from the point where all rays "
-                "start",
-            ),
-            (
-                "rays_sent",
-                "traced",
-                "active, as rays that miss an object's box do not enter the object, but others of "
-                "their packet do",
-            ),
-            (
-                "divider",
-                "reciprocal",
-                "three_reciprocals, as a ray is tested with the reciprocals of its direction in "
-                "the world, written all at once",
-            ),
-        ):
-            self.assert_refused(
-                listing(good | {key: value}),
-                f"configuration 'tiny': with object_box \"world\" the key '{key}' must be {wants}; "
-                f"it is {json.dumps(value)}",
-            )
         self.assert_refused(
-            listing(good | {"levels": 1}),
-            "configuration 'tiny': with levels 1 the key 'object_box' must be nodes, as no object "
-            'is entered; it is "world"',
+            listing(good),
+            'configuration \'tiny\': with datapath "fast" and triangle_test "watertight" the key '
+            "'origins' must be common, as the origin of a packet's rays is subtracted from a "
+            'triangle\'s corners once; it is "each"',
         )
+        self.assertIn("kWatertight", self.written(**good, origins="common"))
 
     def test_reflected_rays_have_no_common_origin(self) -> None:
         self.assert_refused(
-            listing({"origins": "common", "reflections": 2}),
+            listing({"datapath": "fast", "origins": "common", "reflections": 2}),
             "configuration 'tiny': with origins \"common\" the key 'reflections' must be 0, as the "
             "reflected rays of a packet start at points of their own; it is 2",
         )
-        self.assertIn("kCommon", self.written(origins="common", lights=2))
+        self.assertIn("kCommon", self.written(datapath="fast", origins="common", lights=2))
 
-    def test_the_main_object_comes_by_a_list_and_its_rays(self) -> None:
-        good = {"main_first": True, "leaves": "pointers", "rays_sent": "active"}
-        self.assertIn("kMainFirst = true", self.written(**good))
-        shutil.rmtree(self.out)
-        for key, value, wants in (
-            (
-                "leaves",
-                "nodes",
-                "pointers, as rays start in the list of the main object, whose address only a "
-                "pointer has",
-            ),
-            (
-                "rays_sent",
-                "traced",
-                "active, as the list knows which rays go on to the other objects where it knows "
-                "those in a leaf",
-            ),
-        ):
-            self.assert_refused(
-                listing(good | {key: value}),
-                f"configuration 'tiny': with main_first true the key '{key}' must be {wants}; "
-                f"it is {json.dumps(value)}",
-            )
+    def test_a_common_origin_is_of_the_fast_datapath(self) -> None:
+        self.assert_refused(
+            listing({"origins": "common"}),
+            "configuration 'tiny': with origins \"common\" the key 'datapath' must be fast, as a "
+            'slice that divides subtracts the origin of its ray itself; it is "thesis"',
+        )
 
-    def test_only_rays_of_one_origin_find_their_way_back(self) -> None:
+    def test_the_main_object_comes_by_a_list(self) -> None:
         self.assert_refused(
-            listing({"stack_entries": 8}),
-            "configuration 'tiny': with origins \"each\" the key 'stack_entries' must be 64, as a "
-            "packet that starts again finds its way by the order of a node's children, which only "
-            "rays of one origin share; it is 8",
+            listing({"main_first": True}),
+            "configuration 'tiny': with main_first true the key 'datapath' must be fast, as rays "
+            "start in the list of the main object, whose address only a pointer has; it is "
+            '"thesis"',
         )
-        self.assert_refused(
-            listing({"origins": "common", "stack_entries": 6}),
-            "configuration 'tiny': key 'stack_entries' (entries that each stack of a packet keeps; "
-            "for an older one it starts again at the root) is 6; it must be a power of two from 2 "
-            "to 64",
-        )
-        self.assertIn("kStackEntries = 8", self.written(origins="common", stack_entries=8))
+        self.assertIn("kMainFirst = true", self.written(main_first=True, datapath="fast"))
 
     def test_one_level(self) -> None:
-        for key, value, wants in (
-            ("object_box", "unit", "nodes, as no object is entered"),
-            (
-                "triangle_test",
-                "watertight",
-                "unit_triangle, as a ray's shear is made when it enters an object",
-            ),
-        ):
+        self.assert_refused(
+            listing({"levels": 1, "triangle_test": "watertight"}),
+            "configuration 'tiny': with levels 1 the key 'triangle_test' must be unit_triangle, as "
+            'a ray\'s map is made when it enters an object; it is "watertight"',
+        )
+        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, datapath="fast"))
+
+    def test_keys_that_are_gone_name_what_has_their_place(self) -> None:
+        for key, value in (("divider", "reciprocal"), ("stack_entries", 8), ("second_ways", 2)):
             self.assert_refused(
-                listing({"levels": 1, key: value}),
-                f"configuration 'tiny': with levels 1 the key '{key}' must be "
-                f"{wants}; it is {json.dumps(value)}",
+                listing({key: value}),
+                f"configuration 'tiny': the key '{key}' is gone; {GONE[key]}",
             )
-        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, divider="reciprocal"))
+        self.assertIn("'datapath' = \"fast\"", GONE["divider"])
+        self.assertEqual(set(GONE) & set(KEYS), set())
 
     def test_keys(self) -> None:
         self.assert_refused(

@@ -130,7 +130,7 @@ TYPED_TEST(CacheWays, UseOfAnEarlierFrameDoesNotCount) {
 }
 
 struct Pointers : Of<2> {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
+  static constexpr Datapath kDatapath = Datapath::kFast;
 };
 
 TEST(CacheWaysOfNodes, APointerToAListIsNoUse) {

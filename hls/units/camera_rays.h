@@ -69,13 +69,7 @@ struct CameraRays {
   struct Factors {
     Real m0, x, m1, y, m2;
   };
-  static Real sum(const Factors& f) {
-    if constexpr (kFusesSums<C>) {
-      return Real::of_dot({f.m0, f.m1}, {f.x, f.y}, f.m2, true);
-    } else {
-      return (f.m0 * f.x + f.m1 * f.y) + f.m2;
-    }
-  }
+  static Real sum(const Factors& f) { return Real::of_dot({f.m0, f.m1}, {f.x, f.y}, f.m2, true); }
   /// The ray whose components are being made.
   RayIndex<C> ray_of(const Repeated<CameraJob<C>>& j) const {
     if constexpr (kLightsAtOnce<C>) {

@@ -5,26 +5,13 @@
 #include <bit>
 #include <cmath>
 
-#include "units/send_packet.h"
 #include "units/test_bench.h"
 #include "units/transformation.h"
 
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
-};
-struct Fused : C {
-  static constexpr Sums kSums = Sums::kFused;
-};
-/// Whose transformation makes the camera's rays.
-template <class Config>
-struct ByTransformation : Config {
-  static constexpr CameraSource kCamera = CameraSource::kTransformation;
-};
+using C = test::Fast<test::PacketsOf<test::Config<8>, 8>>;
 using Vec = Vector<Real>;
 
 Vec vec(double x, double y, double z) {
@@ -57,36 +44,30 @@ class CameraBench : public test::UnitBench<CameraRays<Config>> {
   }
 };
 
-/// The vectors that the transformation makes of the same packet.
-template <class Config>
-std::vector<PacketVector<Config>> transformed() {
-  test::UnitBench<SendPacket<Config>> send;
-  test::UnitBench<Transformation<Config>> transformation;
-  send.rows(send.unit.position)[kPacket] = kPixel;
-  for (unsigned c = 0; c < 4; ++c) {
-    transformation.rows(transformation.unit.column[c])[kPacket] = kMatrix[c];
+/// The vectors that the transformation makes of the same packet's pre-primary rays (thesis 6.2.1).
+std::vector<PacketVector<C>> transformed() {
+  test::UnitBench<Transformation<C>> bench;
+  for (unsigned c = 0; c < 4; ++c) bench.rows(bench.unit.column[c])[kPacket] = kMatrix[c];
+  PacketVector<C> vector;
+  vector.packet = kPacket;
+  vector.point = true;
+  bench.feed(bench.unit.vector, vector);
+  vector.point = false;
+  for (unsigned i = 0; i < kRays<C>; ++i) {
+    vector.ray = RayIndex<C>::from(i);
+    vector.last = i + 1 == kRays<C>;
+    const PixelPosition p = pixel_of<C>(kPixel, vector.ray);
+    vector.vector = {Real::from_uint(p.x), Real::from_uint(p.y), Real::one()};
+    bench.feed(bench.unit.vector, vector);
   }
-  SendJob<Config> job;
-  job.packet = kPacket;
-  job.sent = RayMask<Config>::ones();
-  job.repeat = RepeatCount<Config>(kRays<Config>);
-  for (unsigned i = 0; i <= kRays<Config>; ++i) {
-    send.feed(send.unit.job,
-              Repeated<SendJob<Config>>{RepeatCount<Config>::from(i), i == kRays<Config>, job});
-  }
-  send.run();
-  for (const auto& vector : send.take(send.unit.vector)) {
-    transformation.feed(transformation.unit.vector, vector);
-  }
-  transformation.run();
-  return transformation.take(transformation.unit.transformed);
+  bench.run();
+  return bench.take(bench.unit.transformed);
 }
 
-template <class Config>
-void expect_the_bits_of_the_transformation() {
-  const auto expected = transformed<ByTransformation<Config>>();
-  ASSERT_EQ(expected.size(), kRays<Config> + 1);
-  CameraBench<Config> bench;
+TEST(CameraRays, HaveTheBitsThatTheTransformationGivesThem) {
+  const auto expected = transformed();
+  ASSERT_EQ(expected.size(), kRays<C> + 1);
+  CameraBench<C> bench;
   // The second packet begins where the first ended.
   for (unsigned packet = 0; packet < 2; ++packet) {
     const auto got = bench.sent();
@@ -101,11 +82,6 @@ void expect_the_bits_of_the_transformation() {
   }
 }
 
-TEST(CameraRays, HaveTheBitsThatTheTransformationGivesThem) {
-  expect_the_bits_of_the_transformation<C>();
-}
-TEST(CameraRays, HaveThemWhereSumsAreFusedToo) { expect_the_bits_of_the_transformation<Fused>(); }
-
 TEST(CameraRays, HaveAnOriginEachInAnUncompressedFrame) {
   CameraBench<C> bench;
   bench.value(bench.unit.frame).uncompressed = Word(1);
@@ -118,18 +94,16 @@ TEST(CameraRays, HaveAnOriginEachInAnUncompressedFrame) {
   }
 }
 
-template <class Config>
-struct Lit : Config {
+struct Lit : C {
   static constexpr unsigned kLights = 2;
 };
 
 /// A light ray as the transformation makes it, from the light's matrix and (1, t, -1) (6.2.2).
-template <class Config>
 Vec transformed(const Ray<Real>& arriving, Real t, const Vec& light) {
-  test::UnitBench<Transformation<Config>> bench;
+  test::UnitBench<Transformation<Lit>> bench;
   const Vec columns[] = {arriving.origin, arriving.direction, light, light};
   for (unsigned c = 0; c < 4; ++c) bench.rows(bench.unit.column[c])[kPacket] = columns[c];
-  PacketVector<Config> vector;
+  PacketVector<Lit> vector;
   vector.packet = kPacket;
   vector.vector = {Real::one(), t, -Real::one()};
   bench.feed(bench.unit.vector, vector);
@@ -138,28 +112,27 @@ Vec transformed(const Ray<Real>& arriving, Real t, const Vec& light) {
 }
 
 /// Those that have hit something go from the light to where they hit; camera rays go on as before.
-template <class Config>
-void expect_light_rays() {
-  CameraBench<Lit<Config>> bench;
+TEST(CameraRays, GoToALightAsTheTransformationSendsThem) {
+  CameraBench<Lit> bench;
   test::Random random(5);
   const auto coordinate = [&random] { return (test::below(random, 20'001) - 1e4) / 64; };
   const auto some = [&] { return vec(coordinate(), coordinate(), coordinate()); };
   for (unsigned round = 0; round < 100; ++round) {
-    const auto lit = RayMask<Config>::from(1 + test::below(random, 255));
-    for (unsigned ray = 0; ray < kRays<Config>; ++ray) {
-      const auto row = kPacket * kRays<Config> + ray;
+    const auto lit = RayMask<C>::from(1 + test::below(random, 255));
+    for (unsigned ray = 0; ray < kRays<C>; ++ray) {
+      const auto row = kPacket * kRays<C> + ray;
       bench.rows(bench.unit.arriving)[row] = {some(), some()};
       bench.rows(bench.unit.surface)[row].t = Real::from_double(std::abs(coordinate()));
     }
-    CameraJob<Lit<Config>> job;
+    CameraJob<Lit> job;
     job.packet = kPacket;
     job.to_light = true;
     job.lit = lit;
     const unsigned steps =
         3 * static_cast<unsigned>(std::popcount(static_cast<unsigned>(lit.to_u64())));
     for (unsigned i = 0; i < steps; ++i) {
-      bench.feed(bench.unit.job, Repeated<CameraJob<Lit<Config>>>{RepeatCount<Config>::from(i),
-                                                                  i + 1 == steps, job});
+      bench.feed(bench.unit.job,
+                 Repeated<CameraJob<Lit>>{RepeatCount<C>::from(i), i + 1 == steps, job});
     }
     bench.run();
     const auto got = bench.take(bench.unit.vector);
@@ -167,23 +140,20 @@ void expect_light_rays() {
     EXPECT_TRUE(got[0].point);
     EXPECT_TRUE(test::same(got[0].vector, kMatrix[3])) << "they begin at the light";
     std::size_t next = 1;
-    for (unsigned ray = 0; ray < kRays<Config>; ++ray) {
+    for (unsigned ray = 0; ray < kRays<C>; ++ray) {
       if (!lit.bit(ray)) continue;
-      const auto row = kPacket * kRays<Config> + ray;
-      EXPECT_EQ(got[next].ray, RayIndex<Config>::from(ray));
+      const auto row = kPacket * kRays<C> + ray;
+      EXPECT_EQ(got[next].ray, RayIndex<C>::from(ray));
       EXPECT_FALSE(got[next].point);
       EXPECT_EQ(got[next].last.get(), next == steps / 3);
-      const Vec expected = transformed<Lit<ByTransformation<Config>>>(
-          bench.rows(bench.unit.arriving)[row], bench.rows(bench.unit.surface)[row].t, kMatrix[3]);
+      const Vec expected = transformed(bench.rows(bench.unit.arriving)[row],
+                                       bench.rows(bench.unit.surface)[row].t, kMatrix[3]);
       ASSERT_TRUE(test::same(got[next].vector, expected)) << round << ", ray " << ray;
       ++next;
     }
-    ASSERT_EQ(bench.sent().size(), kRays<Config> + 1) << "then the camera's";
+    ASSERT_EQ(bench.sent().size(), kRays<C> + 1) << "then the camera's";
   }
 }
-
-TEST(CameraRays, GoToALightAsTheTransformationSendsThem) { expect_light_rays<C>(); }
-TEST(CameraRays, GoThereWhereSumsAreFusedToo) { expect_light_rays<Fused>(); }
 
 }  // namespace
 }  // namespace dynrt

@@ -116,11 +116,8 @@ TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
   EXPECT_GT(std::min({closer, farther, equal, resets}), 1000u);
 }
 
-struct LitAtOnce : C {
+struct LitAtOnce : test::FastFromOnePoint<C> {
   static constexpr unsigned kLights = 2;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
 };
 
 TEST(CollectHits, LightRaysThatAreMadeAtOnceStartAsTheCamerasDo) {
@@ -187,9 +184,7 @@ TEST(CollectHits, TheFarSideOfASphereIsInItsOwnShadow) {
   EXPECT_FALSE(lit_at(Primitive::kTriangle, 0.5).hit) << "a triangle does not lie before itself";
 }
 
-struct WorldBoxes : test::Config<8> {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<test::Config<8>>;
 
 TEST(CollectHits, GivesEveryRaysDistanceToTheTestOfBoxes) {
   test::UnitBench<CollectHits<WorldBoxes>> bench;

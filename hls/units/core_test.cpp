@@ -15,23 +15,18 @@
 
 #include "configs/fast.h"
 #include "configs/fast_lit.h"
-#include "configs/full.h"
+#include "configs/fast_watertight.h"
 #include "configs/primitives.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "configs/whitted.h"
-#include "configs/whitted_split.h"
 
 namespace dynrt {
 namespace {
 
 template <class General>
-struct OneFifo : General {
-  static constexpr PacketFifos kPacketFifos = PacketFifos::kOne;
-};
-template <class General>
-struct CommonOrigin : General {
-  static constexpr Origins kOrigins = Origins::kCommon;
+struct Fast : General {
+  static constexpr Datapath kDatapath = Datapath::kFast;
 };
 template <class General>
 struct OneLevel : General {
@@ -42,12 +37,8 @@ struct Pair : General {
   static constexpr unsigned kPipelines = 2;
   static constexpr unsigned kMemoryClocks = 2;
 };
-struct OneLevelFast : OneLevel<config::fast> {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
-};
-struct Lit : config::fast {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
-  static constexpr unsigned kLights = 2;
+struct Split : config::whitted {
+  static constexpr Crossing kCrossing = Crossing::kSplit;
 };
 
 std::string unit_of(const std::string& port) { return port.substr(0, port.find('.')); }
@@ -104,19 +95,14 @@ void expect_no_circle() {
   EXPECT_EQ(circle_in(waits), "");
 }
 
-struct BoxUnit : config::full {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
-};
-
 template <class C>
 class Circles : public testing::Test {};
 using Cores =
-    testing::Types<config::thesis, BoxUnit, config::watertight, config::whitted,
-                   config::whitted_split, config::fast, config::fast_lit, OneFifo<config::thesis>,
-                   OneFifo<BoxUnit>, OneFifo<config::watertight>, OneFifo<config::whitted>,
-                   OneFifo<config::whitted_split>, OneFifo<config::primitives>, OneFifo<Lit>,
-                   OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>,
-                   OneLevelFast, Pair<config::thesis>, Pair<config::whitted>, Pair<config::fast>>;
+    testing::Types<config::thesis, config::watertight, config::whitted, Split, config::fast,
+                   config::fast_watertight, config::fast_lit, Fast<config::thesis>,
+                   Fast<config::whitted>, Fast<Split>, Fast<config::primitives>,
+                   Fast<OneLevel<config::whitted>>, OneLevel<config::fast>, Pair<config::thesis>,
+                   Pair<config::whitted>, Pair<config::fast>>;
 TYPED_TEST_SUITE(Circles, Cores);
 
 TYPED_TEST(Circles, NoUnitsWaitForEachOther) { expect_no_circle<TypeParam>(); }

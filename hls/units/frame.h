@@ -50,11 +50,10 @@ struct FrameRegisters {
       object;  ///< number of the one there is, for its hits
   /// node where rays go on from the end of a list that the start node points to; 0: nowhere
   hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
-  hls::OptionalField<C::kObjectBox == ObjectBox::kWorld, hls::uint<32>>
+  hls::OptionalField<kTestsWorldBox<C>, hls::uint<32>>
       box_column;  ///< column of an object's box, less the number of the object's matrix
   /// columns from the boxes as they lie from the eye to those from the first light, and so on
-  hls::OptionalField<C::kObjectBox == ObjectBox::kWorld && (C::kLights > 0), hls::uint<32>>
-      boxes_apart;
+  hls::OptionalField<kTestsWorldBox<C> && (C::kLights > 0), hls::uint<32>> boxes_apart;
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
              reflections, colour, object, others_node, box_column, boxes_apart)
@@ -66,9 +65,10 @@ struct EveryRegister {
   static constexpr bool kOneColour = true;
   static constexpr unsigned kLevels = 1;
   static constexpr bool kMainFirst = true;
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
   static constexpr unsigned kLights = 1;
 };
+template <>
+inline constexpr bool kTestsWorldBox<EveryRegister> = true;
 using FrameConfig = FrameRegisters<EveryRegister>;
 
 /// The host's registers that configuration C has.

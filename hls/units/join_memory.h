@@ -40,7 +40,7 @@ void Core<C>::join_port(hls::Join& join, hls::Writers<MemoryRequest<C>> misses) 
                                 {&memory_answer.line});
     join.ram<hls::Hazard::kTorn>("last_miss", memory_lookup.missed,
                                  std::array{&memory_lookup.last_miss});
-    for (unsigned w = 0; w < C::kSecondWays; ++w) {
+    for (unsigned w = 0; w < kSecondWays; ++w) {
       join.ram<hls::Hazard::kTorn>("second_rows" + std::to_string(w), memory_fill.rows[w],
                                    std::array{&memory_lookup.rows[w]});
     }

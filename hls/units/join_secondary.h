@@ -30,9 +30,8 @@ void Pipeline<C>::join_secondary(hls::Join& join) {
     if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
     arriving.push_back(&send_packet.arriving);
     for (unsigned i = 0; i < kRays<C>; ++i) {
-      std::vector readers = {&slice[i].start_distance};
-      if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.start_distance[i]);
-      join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);
+      join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i],
+               std::array{&slice[i].start_distance});
     }
   }
   join.channel<DerivationEvent<C>>("derive", derive, {&secondary_rays.derive}, kAll);

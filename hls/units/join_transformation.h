@@ -11,9 +11,9 @@ namespace dynrt {
 template <class C>
 void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>& camera) {
   hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh};
-  jobs.push_back(&camera, kShortIfAsked);
+  jobs.push_back(&camera, kShortInFast);
   if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
-  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter, kShortIfAsked);
+  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter, kShortInFast);
   join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
   join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
   using Column = typename MatrixCache<C>::Reply;
@@ -29,7 +29,7 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
     join.ram("column_" + std::to_string(c), matrix_store.column[c],
              std::array{&transformation.column[c]});
   }
-  if constexpr (kOwnCamera<C>) {
+  if constexpr (kFast<C>) {
     for (unsigned c = 0; c < 3; ++c) {
       join.ram("camera_column_" + std::to_string(c), matrix_store.camera_column[c],
                std::array{&camera_rays.column[c]});
@@ -51,7 +51,7 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
     }
     join.ram("reach", collect_hits.reach, std::array{&world_box.reach});
   }
-  constexpr auto kReady = kHasLights<C> ? hls::WriterFifo::kHoldsAll : kShortIfAsked;
+  constexpr auto kReady = kHasLights<C> ? hls::WriterFifo::kHoldsAll : kShortInFast;
   join.repeat("send_job", hls::Writers(&matrix_store.ready, kReady), send_packet.job, kAll);
   std::vector vectors = {&send_packet.vectors};
   if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
@@ -59,8 +59,8 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
   join.channel("packet_vector", send_packet.vector, transformation.vector);
   hls::Writers<PacketVector<C>> rays = {&transformation.transformed};
   hls::Writers<UnitRay<C>> unit_rays = {};
-  if constexpr (kOwnCamera<C>) {
-    join.repeat("camera_job", hls::Writers(&matrix_store.camera, kShortIfAsked), camera_rays.job,
+  if constexpr (kFast<C>) {
+    join.repeat("camera_job", hls::Writers(&matrix_store.camera, kShortInFast), camera_rays.job,
                 kAll);
     rays.push_back(&camera_rays.vector);
   }
@@ -73,25 +73,13 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
     unit_rays.push_back(&transformation.in_plane);
   }
   join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
-  if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
-  if constexpr (kHasReciprocals<C>) {
-    // One divider takes three clocks for a ray, of which one comes with each clock; the
-    // transformation must not wait for it.
-    join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
-                kInvertsAtOnce<C> ? 0 : kRays<C> * kAll);
+  if constexpr (kFast<C>) {
+    join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced);
     // The clocks that a ray waits depend on those before it.
-    if constexpr (kInvertsAtOnce<C>) join.depends_on_order({"ray_reciprocal"});
+    join.depends_on_order({"ray_reciprocal"});
     unit_rays.push_back(&ray_reciprocal.reset);
-  }
-  if constexpr (kClipsToBox<C>) {
-    if constexpr (kHasReciprocals<C>) {
-      join.channel("object_ray", ray_reciprocal.object_ray, box_clip.ray);
-    } else {
-      join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
-    }
-    for (unsigned i = 0; i < kRays<C>; ++i) {
-      join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
-    }
+  } else {
+    unit_rays.push_back(&packet_decoder.unit_ray);
   }
   if constexpr (kMapsCorners<C>) {
     join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);

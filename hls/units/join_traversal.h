@@ -11,18 +11,16 @@ namespace dynrt {
 template <class C>
 void Pipeline<C>::join_traversal(hls::Join& join) {
   hls::Writers<TraversalEvent<C>> events = {};
-  events.push_back(&packet_decision.event, kShortIfAsked);
+  events.push_back(&packet_decision.event, kShortInFast);
   events.push_back(&node_fetch.again);
-  events.push_back(&list.finished, kShortIfAsked);
-  events.push_back(&mailbox.start, kShortIfAsked);
-  if constexpr (kClipsToBox<C>) {
-    events.push_back(&box_clip.enter_object, kShortIfAsked);
-  } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
-    events.push_back(&ray_reciprocal.enter_object, kShortIfAsked);
+  events.push_back(&list.finished, kShortInFast);
+  events.push_back(&mailbox.start, kShortInFast);
+  if constexpr (kTwoLevels<C> && kFast<C>) {
+    events.push_back(&ray_reciprocal.enter_object, kShortInFast);
   } else if constexpr (kMapsCorners<C>) {
-    events.push_back(&ray_shear.enter_object, kShortIfAsked);
+    events.push_back(&ray_shear.enter_object, kShortInFast);
   } else if constexpr (kTwoLevels<C>) {
-    events.push_back(&packet_decoder.enter_object, kShortIfAsked);
+    events.push_back(&packet_decoder.enter_object, kShortInFast);
   }
   join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
   join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
@@ -37,8 +35,8 @@ void Pipeline<C>::join_traversal(hls::Join& join) {
     join.channel<Step<C>>("offset", hls::Writers(&plane_offset.offset, kShort), steps, kSteps);
     std::vector origins = {&plane_offset.origin};
     if constexpr (kMapsBlocks<C>) origins.push_back(&matrix_store.origin);
-    if constexpr (kOriginsApart<C>) origins.push_back(&send_packet.origin);
-    join.ram("origin", origins_written(), origins);
+    origins.push_back(&send_packet.origin);
+    join.ram("origin", ray_reciprocal.origin, origins);
   } else {
     join.channel<Step<C>>("step", nodes, steps, kAll);
   }
@@ -47,7 +45,8 @@ void Pipeline<C>::join_traversal(hls::Join& join) {
     join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
                  kSteps);
     join_rays(join, i);
-    join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
+    join.ram("distance_" + std::to_string(i), collect_hits.distance[i],
+             std::array{&slice[i].hit_distance});
     if constexpr (kSplitsPackets<C>) {
       join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
                std::array{&node_fetch.signs[i]});
@@ -68,7 +67,7 @@ void Pipeline<C>::join_rays(hls::Join& join, unsigned i) {
 
 template <class C>
 auto& Pipeline<C>::rays_written(unsigned i) {
-  if constexpr (kHasReciprocals<C>) {
+  if constexpr (kFast<C>) {
     return ray_reciprocal.ray[i];
   } else {
     return packet_decoder.ray[i];
@@ -76,37 +75,20 @@ auto& Pipeline<C>::rays_written(unsigned i) {
 }
 
 template <class C>
-auto& Pipeline<C>::origins_written() {
-  if constexpr (kHasReciprocals<C>) {
-    return ray_reciprocal.origin;
-  } else {
-    return packet_decoder.origin;
-  }
-}
-
-template <class C>
-auto Pipeline<C>::distance_readers(unsigned i) {
-  std::vector readers = {&slice[i].hit_distance};
-  if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
-  return readers;
-}
-
-template <class C>
 void Pipeline<C>::join_lists(hls::Join& join) {
   hls::Writers<ListJob<C>> jobs = {};
-  jobs.push_back(&packet_decision.leaf, kShortIfAsked);
+  jobs.push_back(&packet_decision.leaf, kShortInFast);
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
   if constexpr (decltype(mailbox)::kAnswersLists) {
-    jobs.push_back(&mailbox.seen, kShortIfAsked);
+    jobs.push_back(&mailbox.seen, kShortInFast);
   }
   jobs.push_back(&collect_hits.go_on);
-  if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
   if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.missed);
   join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
   join.channel("list_request", list.request, list_lookup.request, kAll);
   join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry});
   join.ram("last_entry", mailbox.last, std::array{&list.last});
-  if constexpr (kPointsToLists<C>) {
+  if constexpr (kFast<C>) {
     join.ram("after_leaf", packet_decision.after, std::array{&list.after});
   }
 }

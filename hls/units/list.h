@@ -26,7 +26,7 @@ struct List {
 
   struct Place {
     NodeAddress<C> next;  ///< entry of the list
-    [[no_unique_address]] hls::OptionalField<kSendsActive<C>, Leaf> leaf{};
+    [[no_unique_address]] hls::OptionalField<kFast<C>, Leaf> leaf{};
     HLS_FIELDS(next, leaf)
   };
 
@@ -34,7 +34,7 @@ struct List {
   hls::Out<ListRequest<C>> request;
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
-  hls::OptionalPort<kPointsToLists<C>, hls::RamRead<AfterLeaf<C>, kLevelRows<C>>> after;
+  hls::OptionalPort<kFast<C>, hls::RamRead<AfterLeaf<C>, kLevelRows<C>>> after;
   hls::Ram1R1W<Place, kLevelRows<C>> place;
   hls::OptionalPort<kMainFirst<C>, hls::Config<FrameRegisters<C>>> frame;
   HLS_PORTS(job, request, finished, last, after, frame)
@@ -46,7 +46,7 @@ struct List {
     const bool at_end = !j.first && last.read(row);
     const NodeAddress<C> address = j.first ? j.address : before.next;
     Leaf here;
-    if constexpr (kSendsActive<C>) {
+    if constexpr (kFast<C>) {
       here = j.first ? Leaf{j.active.get(), j.is_start, j.rays} : before.leaf.get();
     }
     place.write(row, Place{hls::next(address), here});
@@ -60,7 +60,7 @@ struct List {
         is_start = here.is_start.get();
         if (is_start) enter_others(here, go_on);
       }
-      if constexpr (kPointsToLists<C>) {
+      if constexpr (kFast<C>) {
         if (!is_start) go_on_after(after.read(row), go_on);
       }
       finished.write(go_on);

@@ -48,9 +48,7 @@ TEST(List, ReadsAListUpToItsLastEntry) {
   EXPECT_TRUE(test::same(bench.take_one(bench.unit.finished), pop));
 }
 
-struct WithPointers : C {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
-};
+using WithPointers = test::Fast<C>;
 
 TEST(List, WhereLeavesHaveNoNodesTheOtherChildFollows) {
   test::UnitBench<List<WithPointers>> bench;
@@ -71,7 +69,6 @@ TEST(List, WhereLeavesHaveNoNodesTheOtherChildFollows) {
 }
 
 struct MainFirst : WithPointers {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
   static constexpr bool kMainFirst = true;
 };
 

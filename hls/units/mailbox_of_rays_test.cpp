@@ -9,9 +9,7 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-};
+using C = test::Fast<test::Config<8>>;
 using Rays = RayMask<C>;
 
 template <class Config>
@@ -205,9 +203,7 @@ TransformJob<Config> job_of(const MailboxEntry<Config>& e) {
   return bench.take_one(bench.unit.fresh);
 }
 
-struct WorldBoxes : C {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<C>;
 
 TEST(MailboxOfRays, AsksForTheBoxOfAnObjectBeforeItIsEntered) {
   const TransformJob<WorldBoxes> object = job_of(entry<WorldBoxes>(0, 17, 0b1111));
@@ -241,7 +237,6 @@ TEST(MailboxOfRays, AsksForTheBoxAsItLiesFromWhereThePacketStarts) {
 }
 
 struct MainFirst : C {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
   static constexpr bool kMainFirst = true;
 };
 

@@ -53,9 +53,7 @@ TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
   }
 }
 
-struct WorldBoxes : test::Config<8> {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<test::Config<8>>;
 
 TEST(MatrixFetch, ABoxIsOneColumnBehindTheMatrices) {
   test::UnitBench<MatrixFetch<WorldBoxes>> bench;

@@ -35,11 +35,11 @@ struct MatrixStore {
   hls::OptionalPort<kMapsBlocks<C>, hls::RamRead<Vector<Real>, kLevelRows<C>>>
       origin;  ///< of a packet's rays
   hls::Out<SendJob<C>> ready;
-  hls::OptionalPort<kOwnCamera<C>, hls::Out<CameraJob<C>>> camera;
+  hls::OptionalPort<kFast<C>, hls::Out<CameraJob<C>>> camera;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   /// Columns 0 to 2 of the camera's matrix, which all packets of a frame share, and its column 3.
-  hls::OptionalPort<kOwnCamera<C>, hls::RamWrite<Vector<Real>, 1>> camera_column[3];
-  hls::OptionalPort<kOwnCamera<C>, hls::RamWrite<Vector<Real>, kEyeRows<C>>> eye;
+  hls::OptionalPort<kFast<C>, hls::RamWrite<Vector<Real>, 1>> camera_column[3];
+  hls::OptionalPort<kFast<C>, hls::RamWrite<Vector<Real>, kEyeRows<C>>> eye;
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::OptionalPort<kTestsWorldBox<C>, hls::Out<BoxJob<C>>> box;
@@ -54,7 +54,7 @@ struct MatrixStore {
     const Vector<Real> values = stored(r);
     const bool stored_three = three(r.context);
     store(r, values, stored_three);
-    if constexpr (kOwnCamera<C>) store_camera(r, values);
+    if constexpr (kFast<C>) store_camera(r, values);
 
     Progress p = progress.read(packet);
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
@@ -175,7 +175,7 @@ struct MatrixStore {
     const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
     const bool corners = kMapsCorners<C> && r.context.kind == TransformKind::kTriangle;
     const bool blocks = kMapsBlocks<C> && r.context.kind == TransformKind::kTriangle;
-    if constexpr (kSendsActive<C>) {
+    if constexpr (kFast<C>) {
       // Every ray of a new packet begins, as its pixel is written.
       send.sent = r.context.kind == TransformKind::kCamera ? RayMask<C>::ones() : r.context.active;
       send.pairs = distinct_origins && !one_ray && !corners && !blocks;
@@ -197,8 +197,8 @@ struct MatrixStore {
     send.kind = r.context.kind;
     send.derived = derived;
     const bool to_light = kLightsAtOnce<C> && send.kind == TransformKind::kSecondary;
-    const bool beside = kOwnCamera<C> && (send.kind == TransformKind::kCamera || to_light);
-    if constexpr (kOwnCamera<C>) {
+    const bool beside = kFast<C> && (send.kind == TransformKind::kCamera || to_light);
+    if constexpr (kFast<C>) {
       CameraJob<C> rays;
       rays.packet = packet;
       if constexpr (kLightsAtOnce<C>) {

@@ -148,11 +148,7 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
   for (const unsigned count : seen) EXPECT_GT(count, 100u);
 }
 
-struct WorldBoxes : test::Config<8> {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<test::PacketsOf<test::Config<8>, 8>>;
 
 /// The box comes alone, between the matrices of its packet.
 TEST(MatrixStore, PassesAnObjectsBoxOnToItsTest) {
@@ -193,7 +189,6 @@ TEST(MatrixStore, PassesAnObjectsBoxOnToItsTest) {
 }
 
 struct LitBoxes : WorldBoxes {
-  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
   static constexpr unsigned kLights = 3;
 };
 

@@ -17,7 +17,7 @@ struct MemoryFill {
   hls::In<PortLine<C>> fill;
   hls::RamRead<ReadInFlight<C>, kPortIds<C>> in_flight;
   hls::Out<MemoryLine<C>> line;
-  std::conditional_t<kHasSecondLevel<C>, Rows[C::kSecondWays], hls::Absent> rows;
+  std::conditional_t<kHasSecondLevel<C>, Rows[kSecondWays], hls::Absent> rows;
   HLS_PORTS(fill, in_flight, line, rows)
 
   void step() {
@@ -26,7 +26,7 @@ struct MemoryFill {
     if constexpr (kHasSecondLevel<C>) {
       const SecondLineNumber<C> number = second_line_of<C>(f.id.kind, asked.address);
       const SecondSet<C> set = f.invalidate ? f.set : SecondSet<C>::from(number.raw());
-      for (unsigned w = 0; w < C::kSecondWays; ++w) {
+      for (unsigned w = 0; w < kSecondWays; ++w) {
         if (f.invalidate || asked.way == uint<2>::from(w)) {
           rows[w].write(set, Row{false, !f.invalidate, number, f.data});
         }

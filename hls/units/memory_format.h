@@ -28,6 +28,7 @@ inline constexpr unsigned kSceneBanks = 3;        ///< from bank 0 on
 inline constexpr unsigned kFrameBank = 3;         ///< of the pixels
 inline constexpr unsigned kHitBank = 4;           ///< of the hit records, and the one after it
 inline constexpr unsigned kBankWords = 1u << 20;  ///< of each bank
+inline constexpr unsigned kSramLatency = 3;       ///< clocks from a bank's address to its data
 inline constexpr unsigned kAddressBits = 19;      ///< of the number of a node, list entry or column
 inline constexpr unsigned kMaxNodes = 1u
                                       << kAddressBits;  ///< of which number 0 is the null address

@@ -67,7 +67,7 @@ struct MemoryInterface {
   PortOfEach<kPipelines<C>, hls::Out<NodeLine<C>>> node;
   PortOfEach<kPipelines<C>, hls::Out<ListLine<C>>> list;
   PortOfEach<kPipelines<C>, hls::Out<ColumnLine<C>>> column;
-  hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
+  hls::RamRead<SceneWord<Real>, kBankWords, kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank)
 
   void step() {

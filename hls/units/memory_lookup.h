@@ -24,7 +24,7 @@ struct MemoryLookup {
   hls::In<std::conditional_t<kHasSecondLevel<C>, Repeated<Request>, Request>> request;
   hls::Out<PortRead<C>> read;
   hls::RamWrite<ReadInFlight<C>, kPortIds<C>> in_flight;
-  std::conditional_t<kHasSecondLevel<C>, Rows[C::kSecondWays], hls::Absent> rows;
+  std::conditional_t<kHasSecondLevel<C>, Rows[kSecondWays], hls::Absent> rows;
   OfSecond<hls::RamRead<LastMiss<C>, kSecondSets<C>>> last_miss;
   OfSecond<hls::RamWrite<LastMiss<C>, kSecondSets<C>>> missed;
   OfSecond<hls::Out<Line>> hit;
@@ -65,7 +65,7 @@ struct MemoryLookup {
         r.invalidate ? SecondSet<C>::from(repeated.index.raw()) : SecondSet<C>::from(line.raw());
     bool found = false;
     ReadWords<C> data;
-    for (unsigned w = 0; w < C::kSecondWays; ++w) {
+    for (unsigned w = 0; w < kSecondWays; ++w) {
       const SecondRow<C> row = rows[w].read(set);
       if (row.valid && !row.torn && row.line == line) {
         found = true;
@@ -75,7 +75,7 @@ struct MemoryLookup {
     const LastMiss<C> last = last_miss.read(set);
     const bool comes =
         last.valid && !last.torn && last.line == line && r.tries != Tries::from(kMostTries);
-    const auto way = uint<2>::from(hls::next(last.way).raw() & (C::kSecondWays - 1));
+    const auto way = uint<2>::from(hls::next(last.way).raw() & (kSecondWays - 1));
     if (r.invalidate) {
       missed.write(set, {});
       PortLine<C> none;

@@ -12,8 +12,7 @@ struct Plain : test::Config<8> {
 };
 struct Second : Plain {
   static constexpr unsigned kSecondLevel = 4;
-  static constexpr unsigned kSecondLine = 32;
-  static constexpr unsigned kSecondWays = 2;
+  static constexpr unsigned kLineNodes = 4;
 };
 constexpr unsigned kNode = 5;                       ///< in the second line of the memory
 constexpr unsigned kSet = kNode * kNodeBytes / 32;  ///< of its line

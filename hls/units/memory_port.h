@@ -24,15 +24,18 @@ inline constexpr bool kHasPort = C::kMemory == MemoryPath::kPort;
 template <class C>
 inline constexpr unsigned kBeatBytes = C::kPortBytes;
 
-/// Lines of the second level, of C::kSecondLine bytes, in sets of C::kSecondWays.
+/// Lines of the second level, their bytes, and the sets of ways that they lie in.
+inline constexpr unsigned kSecondWays = 4;
+template <class C>
+inline constexpr unsigned kSecondLine = second_line_bytes(C::kLineNodes, C::kPortBytes);
 template <class C>
 inline constexpr unsigned kSecondSets =
-    std::max(1u, C::kSecondLevel * 1024 / C::kSecondLine / C::kSecondWays);
+    std::max(1u, C::kSecondLevel * 1024 / kSecondLine<C> / kSecondWays);
 template <class C>
 using SecondSet = uint<hls::index_width(kSecondSets<C>)>;
 /// The number of a line in the memory.
 template <class C>
-inline constexpr unsigned kSecondLineBits = std::countr_zero(C::kSecondLine);
+inline constexpr unsigned kSecondLineBits = std::countr_zero(kSecondLine<C>);
 template <class C>
 using SecondLineNumber = uint<kPortAddressBits - kSecondLineBits<C>>;
 
@@ -46,13 +49,13 @@ constexpr T of_kind(MemoryKind kind, const T& node, const T& entry, const T& col
 /// it lies in.
 template <class C>
 constexpr unsigned read_bytes(unsigned line_bytes) {
-  return kHasSecondLevel<C> ? C::kSecondLine : std::max(line_bytes, kBeatBytes<C>);
+  return kHasSecondLevel<C> ? kSecondLine<C> : std::max(line_bytes, kBeatBytes<C>);
 }
 /// Beats of a read, less one. The last word of a column's place holds nothing and is left out.
 template <class C>
 constexpr unsigned last_beat(MemoryKind kind) {
   const unsigned used = of_kind(kind, kNodeLineBytes<C>, kListLineBytes<C>, 12u);
-  return (std::max(kHasSecondLevel<C> ? C::kSecondLine : used, kBeatBytes<C>) - 1) / kBeatBytes<C>;
+  return (std::max(kHasSecondLevel<C> ? kSecondLine<C> : used, kBeatBytes<C>) - 1) / kBeatBytes<C>;
 }
 /// The bytes of the longest read, its beats and its words; those of a shorter one are the first.
 template <class C>
@@ -144,7 +147,7 @@ struct SecondRow {
   bool torn = false;  ///< hls::Hazard::kTorn
   bool valid = false;
   SecondLineNumber<C> line;
-  std::array<Word, C::kSecondLine / 4> data;
+  std::array<Word, kSecondLine<C> / 4> data;
   HLS_FIELDS(torn, valid, line, data)
 };
 /// The last miss of a set: its line may be on its way.

@@ -70,7 +70,7 @@ struct NodeFetch {
       state.waiting = e.active & ~entering;
       state.root = e.next;
       state.crossing = RayMask<C>{};
-      if constexpr (kRestarts<C>) state.trail = RestartTrail<C>::at_root(e.level);
+      if constexpr (kRestarts<C>) state.trail = RestartTrail<C>{};
     }
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
@@ -86,7 +86,7 @@ struct NodeFetch {
     context.update = e.kind == TraversalKind::kDescend && e.clip_near ? IntervalUpdate::kClipNear
                                                                       : IntervalUpdate::kClipFar;
     NodeAddress<C> address = e.next;
-    if constexpr (kPointsToLists<C> && kRemembersChild<C>) {
+    if constexpr (kFast<C> && kRemembersChild<C>) {
       // After a leaf whose sibling did not go to the stack.
       if (e.kind == TraversalKind::kDescend) {
         state.crossing = state.crossing.get() | e.crossing.get();
@@ -102,7 +102,7 @@ struct NodeFetch {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
-      const bool full = is_full(e, state);
+      const bool full = is_full(state);
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
       } else {
@@ -149,12 +149,11 @@ struct NodeFetch {
       again.write(once_more);
     }
   }
-  static bool is_full(const TraversalEvent<C>& e, const State& state) {
+  static bool is_full(const State& state) {
     if constexpr (kRestarts<C>) {
       return state.trail.get().is_too_deep();
     } else {
-      return state.stack ==
-             (is_top<C>(e.level) ? Stack::from(C::kTopStackDepth) : Stack::from(C::kStackDepth));
+      return state.stack == Stack::from(C::kStackDepth);
     }
   }
   static bool is_empty(const State& state) {
@@ -174,7 +173,7 @@ struct NodeFetch {
         trail.descend(e.is_fork.get(), e.clip_near);
         break;
       case TraversalKind::kPop:
-        trail.pop(e.level);
+        trail.pop();
         break;
       case TraversalKind::kEnter:
         break;

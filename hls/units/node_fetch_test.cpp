@@ -137,9 +137,7 @@ TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
   expect_quiet(bench);
 }
 
-struct MainFirst : C {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr Leaves kLeaves = Leaves::kPointers;
+struct MainFirst : test::Fast<C> {
   static constexpr bool kMainFirst = true;
 };
 
@@ -213,8 +211,7 @@ class Reference {
       r.context.active = active;
       r.context.both = entry.both;
       r.address = entry.pushed;
-    } else if (e.kind == TraversalKind::kPush &&
-               s.stack.size() < kStackDepths<C>[e.level.to_u64()]) {
+    } else if (e.kind == TraversalKind::kPush && s.stack.size() < C::kStackDepth) {
       r.context.update = IntervalUpdate::kClipFarPush;
       s.stack.push_back(e);
     } else if (e.kind == TraversalKind::kPush) {
@@ -274,16 +271,15 @@ void traverse_at_random() {
   for (const unsigned count : counts) EXPECT_GT(count, 100u) << "every answer is met often";
 }
 
-template <unsigned Top, unsigned Bottom>
+template <unsigned Depth>
 struct Stacks : C {
-  static constexpr unsigned kTopStackDepth = Top;
-  static constexpr unsigned kStackDepth = Bottom;
+  static constexpr unsigned kStackDepth = Depth;
 };
 
 TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
   traverse_at_random<C>();
-  traverse_at_random<Stacks<3, 13>>();
-  traverse_at_random<Stacks<9, 1>>();
+  traverse_at_random<Stacks<13>>();
+  traverse_at_random<Stacks<1>>();
 }
 
 /// Whether no two entries have the same row; of how many rows a packet.
@@ -293,7 +289,7 @@ unsigned rows_of_apart_entries() {
   std::size_t entries = 0;
   for (unsigned packet = 0; packet < C::kPackets; ++packet) {
     for (unsigned level = 0; level < 2; ++level) {
-      for (unsigned i = 0; i < kStackDepths<C>[level]; ++i, ++entries) {
+      for (unsigned i = 0; i < C::kStackDepth; ++i, ++entries) {
         const auto row =
             stack_row<C>(Level::from(level), PacketId<C>::from(packet), StackPointer<C>::from(i));
         rows.insert(row.to_u64());
@@ -306,13 +302,11 @@ unsigned rows_of_apart_entries() {
 }
 
 TEST(NodeFetch, StacksTakeTheRowsThatTheirDepthsAskFor) {
-  EXPECT_EQ((rows_of_apart_entries<Stacks<31, 31>>()), 64u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<63, 63>>()), 128u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<3, 13>>()), 16u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<9, 1>>()), 16u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 15>>()), 16u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 16>>()), 32u);
-  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 1>>()), 2u);
+  EXPECT_EQ(rows_of_apart_entries<Stacks<31>>(), 64u);
+  EXPECT_EQ(rows_of_apart_entries<Stacks<63>>(), 128u);
+  EXPECT_EQ(rows_of_apart_entries<Stacks<9>>(), 32u);
+  EXPECT_EQ(rows_of_apart_entries<Stacks<8>>(), 16u);
+  EXPECT_EQ(rows_of_apart_entries<Stacks<1>>(), 2u);
 }
 
 struct Mirrors : test::Config<8> {

@@ -5,6 +5,7 @@
 // (hls/configs/configurations/keys.py).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -28,18 +29,13 @@ enum class Crossing : std::uint8_t {
   kRemember,  ///< the child that is left out at first is remembered
 };
 
-/// The way a ray is clipped to the box of an object that it enters (thesis 4.2).
-enum class ObjectBox : std::uint8_t {
-  kNodes,  ///< by six clipping nodes of the object's tree
-  kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
-  kWorld,  ///< by a unit that tests the box in the world before the object is entered
-};
-
-/// The way the distance of a node's plane is found: offset over direction (thesis 6.1.1).
-enum class Divider : std::uint8_t {
-  kQuotient,          ///< by a division in every slice, rounded once
-  kReciprocal,        ///< by the direction's reciprocal, taken once for each ray and level
-  kThreeReciprocals,  ///< the same, all three components of a ray in a clock
+/// The core's datapath.
+enum class Datapath : std::uint8_t {
+  /// As the thesis has it: all rays of a packet meet what any of them meets (4.3.2), slices divide
+  /// (6.1.1), the transformation makes camera rays (6.2.1), every product and every sum is rounded,
+  /// and leaves are nodes.
+  kThesis,
+  kFast,  ///< a later one, smaller and quicker (units/packet.h says what is different)
 };
 
 /// The origins of a packet's rays in the traversal.
@@ -48,35 +44,19 @@ enum class Origins : std::uint8_t {
   kCommon,  ///< one for all, subtracted once for the packet: reflected rays have none
 };
 
-/// The way a packet's camera rays are made.
-enum class CameraSource : std::uint8_t {
-  kTransformation,  ///< as pre-primary rays that the transformation maps (thesis 6.2.1)
-  kOwnUnit,         ///< beside it, by units/camera_rays.h
-};
+/// Whether rays that miss the box of an object in the world do not enter the object
+/// (units/world_box.h). Boxes are stored as they lie from the point where all rays start.
+constexpr bool tests_world_box(Origins origins, unsigned levels) {
+  return origins == Origins::kCommon && levels == 2;
+}
+template <class C>
+inline constexpr bool kTestsWorldBox = tests_world_box(C::kOrigins, C::kLevels);
 
-/// The addition of a transformation's products.
-enum class Sums : std::uint8_t {
-  kRounded,  ///< every product and every sum is rounded
-  kFused,    ///< the sum is rounded once (hls/dot_circuit.h)
-};
-
-/// The way a leaf of a tree is known (units/packet.h has the pointers).
-enum class Leaves : std::uint8_t {
-  kNodes,     ///< by a node of its own, which has the address of its list
-  kPointers,  ///< by the pointer of the node above, which is to the list
-};
-
-/// The rays of a packet that enter an object or meet a triangle (thesis 4.3.2: all).
-enum class RaysSent : std::uint8_t {
-  kTraced,  ///< all that are traced: an item of any leaf is met once
-  kActive,  ///< those that are in the leaf: an item is met again by others in a later leaf
-};
-
-/// The FIFOs of traversal events and list jobs that hold every packet (units/core.h).
-enum class PacketFifos : std::uint8_t {
-  kAll,  ///< each, so that no writer waits
-  kOne,  ///< those of node_fetch and others that it takes to keep each loop moving
-};
+/// Bytes of a line of the second level of cache: a line of the first lies in it, 8 bytes for each
+/// node, and it takes at least a beat of the port.
+constexpr unsigned second_line_bytes(unsigned line_nodes, unsigned port_bytes) {
+  return std::max({16u, 8 * line_nodes, port_bytes});
+}
 
 /// The stored form of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
@@ -87,10 +67,10 @@ enum class TriangleMatrix : std::uint8_t {
 /// The test of a ray against a triangle.
 enum class TriangleTest : std::uint8_t {
   kUnitTriangle,  ///< the triangle's matrix takes the ray to the unit triangle (thesis 5.2)
-  kWatertight,    ///< the ray's shear takes the corners to the plane; an exact rule for the edges
-  kWatertightCommon,  ///< the same where a packet's rays have one origin, in integers
+  /// An exact rule for the edges: a ray's shear takes the corners to the plane, or with the fast
+  /// datapath, where a packet's rays have one origin, its plane map does, in integers.
+  kWatertight,
 };
-constexpr bool is_watertight(TriangleTest test) { return test != TriangleTest::kUnitTriangle; }
 
 /// The unit objects that are intersected (thesis 5.2).
 struct Primitives {

@@ -8,7 +8,6 @@
 // world as it is: rays start in it, and tokens have no level.
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 
 #include "hls/ports.h"
@@ -47,93 +46,63 @@ inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossi
 template <class C>
 inline constexpr bool kHasDistinctOrigins = C::kUncompressed || kHasMirrors<C>;
 
-/// Whether the transformation gets those rays alone that are in a leaf.
+/// Whether the datapath is `fast`. Then rays that are not in a leaf are left out of what follows;
+/// slices multiply with reciprocals of directions; a unit of its own makes camera rays, another
+/// puts rays in unit space together; the sum of a transformation's products is rounded once; a
+/// child that is a leaf is known by the pointer to it, which is to its list; and of the FIFOs of
+/// packets those alone hold every packet that it takes to keep each loop moving (units/pipeline.h).
 template <class C>
-inline constexpr bool kSendsActive = C::kRaysSent == RaysSent::kActive;
+inline constexpr bool kFast = C::kDatapath == Datapath::kFast;
 
-/// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
+/// Whether the rays of a packet start at one point, as those of a camera and of a light do.
 template <class C>
-inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
+inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
 
-/// Whether rays that miss an object's box in the world do not enter the object.
-template <class C>
-inline constexpr bool kTestsWorldBox = C::kObjectBox == ObjectBox::kWorld;
-/// Whether light rays are among them: each light has boxes of its own, as they lie from there.
+/// Whether light rays are among those that are tested against an object's box in the world: each
+/// light has boxes of its own, as they lie from there.
 template <class C>
 inline constexpr bool kTestsBoxOfLight = kTestsWorldBox<C> && (C::kLights > 0);
 /// Where a packet's rays start: at the eye, 0, or at a light, its number and 1.
 template <class C>
 using Viewpoint = uint<hls::index_width(C::kLights + 1)>;
 
-/// Whether the traversal knows the reciprocals of the directions instead of the directions.
-template <class C>
-inline constexpr bool kHasReciprocals = C::kDivider != Divider::kQuotient;
-/// Whether a ray's three reciprocals are made side by side.
-template <class C>
-inline constexpr bool kInvertsAtOnce = C::kDivider == Divider::kThreeReciprocals;
-
-/// Whether the rays of a packet start at one point, as those of a camera and of a light do.
-template <class C>
-inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
-
 /// Tokens that the FIFOs of a unit take beyond those in its pipeline, at least, where bursts come
 /// through: columns of a matrix, rays of a packet, decisions behind nodes that come from memory.
 template <class C>
-inline constexpr unsigned kRoomForBursts = C::kPacketFifos == PacketFifos::kOne ? 12 : 4;
+inline constexpr unsigned kRoomForBursts = kFast<C> ? 12 : 4;
 
 /// ns of each clock that stay free in units that stand at wide RAMs or many multipliers: in a core
 /// of eight rays, placed on an LFE5U-85F, their wires take as much more than the delay model says.
 template <class C>
 inline constexpr double kLongWiresNs = kRays<C> > 4 ? 0.8 : 0;
 
-/// Whether the sum of a transformation's products is rounded once.
+/// Whether the light rays of a packet are made beside the transformation too, all at once.
+/// Otherwise each is a ray with a matrix of its own, as a reflected ray is.
 template <class C>
-inline constexpr bool kFusesSums = C::kSums == Sums::kFused;
-
-/// Whether camera rays are made beside the transformation, and rays in unit space are put together
-/// apart from the others.
-template <class C>
-inline constexpr bool kOwnCamera = C::kCamera == CameraSource::kOwnUnit;
-
-/// Whether the light rays of a packet are made there too, all at once. Otherwise each is a ray with
-/// a matrix of its own, as a reflected ray is.
-template <class C>
-inline constexpr bool kLightsAtOnce =
-    kOwnCamera<C> && C::kRaysSent == RaysSent::kActive && C::kLights > 0 && C::kReflections == 0;
-
-/// Whether such a pair of origin and direction is what the triangle test gets.
-template <class C>
-inline constexpr bool kPairsUnitRays =
-    kOwnCamera<C> && C::kTriangleTest == TriangleTest::kUnitTriangle;
-
-/// Whether the packet decoder gives rays to the intersection: those of triangles, or, without
-/// reciprocals, the resets of new ones.
-template <class C>
-inline constexpr bool kDecodesUnitRays = !kOwnCamera<C> || !kHasReciprocals<C>;
+inline constexpr bool kLightsAtOnce = kFast<C> && kHasLights<C> && !kHasMirrors<C>;
 
 /// Whether no ray passes between two triangles that share an edge; whether the map of each ray then
 /// takes the corners (units/watertight.h), or corners from which the packet's origin has been
 /// subtracted (units/plane_map.h).
 template <class C>
-inline constexpr bool kWatertight = is_watertight(C::kTriangleTest);
+inline constexpr bool kWatertight = C::kTriangleTest == TriangleTest::kWatertight;
 template <class C>
-inline constexpr bool kMapsCorners = C::kTriangleTest == TriangleTest::kWatertight;
+inline constexpr bool kMapsCorners = kWatertight<C> && !kFast<C>;
 template <class C>
-inline constexpr bool kMapsBlocks = C::kTriangleTest == TriangleTest::kWatertightCommon;
+inline constexpr bool kMapsBlocks = kWatertight<C> && kFast<C>;
+/// Whether a pair of origin and direction is what the triangle test of a fast core gets.
+template <class C>
+inline constexpr bool kPairsUnitRays = kFast<C> && !kWatertight<C>;
 /// Steps of the mantissa by which a plane's distance may be wrong: one for each operation before
 /// the last and a half for that, rounded to nearest; twice as many truncated
 /// (docs/explanation/watertight.md). 0: ignored.
 template <class C>
-inline constexpr unsigned kDistanceOperations = kHasReciprocals<C> ? 3 : 2;
+inline constexpr unsigned kDistanceOperations = kFast<C> ? 3 : 2;
 template <class C>
 inline constexpr unsigned kWidening =
     !kWatertight<C>                                     ? 0
     : C::Real::kRounding == hls::Rounding::kNearestEven ? kDistanceOperations<C>
                                                         : 2 * kDistanceOperations<C> - 1;
-
-/// Whether rays that enter an object go through further units before their traversal begins.
-template <class C>
-inline constexpr bool kPassesObjectRays = kClipsToBox<C> || kMapsCorners<C>;
 
 /// Whether triangles are stored in three columns (thesis 5.1.1).
 template <class C>
@@ -173,10 +142,6 @@ using MatrixExtra =
 template <class C, class T>
 using OfInstance = UsualField<kTwoLevels<C>, T>;
 
-/// Whether a child that is a leaf is known by the pointer to it, which is to its list.
-template <class C>
-inline constexpr bool kPointsToLists = C::kLeaves == Leaves::kPointers;
-
 /// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
 /// where a node or a list's entry lies, a matrix, one of its columns. A pointer to a list has the
 /// highest bit set, and the others are half its address, as such lists begin at even addresses.
@@ -189,7 +154,7 @@ using ColumnAddress = uint<C::kMatrixBits + 2>;
 
 template <class C>
 constexpr bool is_list(NodeAddress<C> pointer) {
-  return kPointsToLists<C> && pointer.template bit<C::kAddressBits - 1>();
+  return kFast<C> && pointer.template bit<C::kAddressBits - 1>();
 }
 template <class C>
 constexpr NodeAddress<C> list_address(NodeAddress<C> pointer) {
@@ -237,12 +202,12 @@ using RayIndex = uint<kRayBits<C>>;
 /// The rays that are in a leaf, where the others are left out, and whether a token is of the last
 /// of them. Where all are sent the last is the highest.
 template <class C>
-using LeafRays = hls::OptionalField<kSendsActive<C>, RayMask<C>>;
+using LeafRays = hls::OptionalField<kFast<C>, RayMask<C>>;
 template <class C>
-using LastRay = hls::OptionalField<kSendsActive<C>, bool>;
+using LastRay = hls::OptionalField<kFast<C>, bool>;
 template <class C>
 constexpr bool is_last_ray(RayIndex<C> ray, const LastRay<C>& last) {
-  return kSendsActive<C> ? last.get() : ray == RayIndex<C>(kRays<C> - 1);
+  return kFast<C> ? last.get() : ray == RayIndex<C>(kRays<C> - 1);
 }
 
 /// Row of a RAM with one row for every ray.
@@ -282,24 +247,21 @@ constexpr LevelRow<C> level_row(LevelField<C> level, PacketId<C> packet) {
 template <class C>
 inline constexpr unsigned kLevelRows = C::kLevels * (1u << PacketId<C>::kWidth);
 
-/// Entries of a packet's stack at each level, and how many of them are in use.
+/// Entries that each stack keeps, at most, the latest in a ring; to find the others a packet starts
+/// again at the root (units/restart_trail.h). It finds its way by the order of a node's children,
+/// which only rays of one origin share.
 template <class C>
-inline constexpr unsigned kStackDepths[2] = {kTwoLevels<C> ? C::kTopStackDepth : 0, C::kStackDepth};
-/// Whether a stack keeps only its latest entries, in a ring; to find the others a packet starts
-/// again at the root (units/restart_trail.h).
+inline constexpr unsigned kStackEntries = kCommonOrigin<C> ? 4 : 64;
 template <class C>
-inline constexpr bool kRestarts =
-    C::kStackEntries < std::max(kStackDepths<C>[0], kStackDepths<C>[1]);
+inline constexpr bool kRestarts = kStackEntries<C> < C::kStackDepth;
 /// The number of an entry; without restarts, how many are in use.
 template <class C>
-using StackPointer = uint<hls::index_width(
-    kRestarts<C> ? C::kStackEntries : std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
+using StackPointer = uint<hls::index_width(kRestarts<C> ? kStackEntries<C> : C::kStackDepth + 1)>;
 
 /// Bits of the number of an entry in a packet's part of a RAM.
 template <class C>
-inline constexpr unsigned kStackBits =
-    kRestarts<C> ? C::kLevels - 1 + StackPointer<C>::kWidth
-                 : hls::index_width(kStackDepths<C>[0] + kStackDepths<C>[1]);
+inline constexpr unsigned kStackBits = kRestarts<C> ? C::kLevels - 1 + StackPointer<C>::kWidth
+                                                    : hls::index_width(C::kLevels * C::kStackDepth);
 /// Whether a packet's stacks lie in one piece of that RAM. Those of two levels do where it takes
 /// fewer rows than a piece for each; then they grow towards each other.
 template <class C>
@@ -365,11 +327,11 @@ constexpr SliceRay<C> slice_ray(const Ray<typename C::Real>& ray) {
 }
 
 /// Whether a slice reads one axis of its ray, whose axes are then written one after the other. A
-/// slice's ray follows another after five clocks; after three where a unit makes reciprocals one by
-/// one, or all at once, as rays then wait for their lane (units/lane_spacing.h). Of rays that are
-/// transformed alone, or with few others of their packet, it may come after two.
+/// slice's ray follows another after five clocks; after three where reciprocals are made, as rays
+/// then wait for their lane (units/lane_spacing.h). Of rays that are transformed alone it may come
+/// after two.
 template <class C>
-inline constexpr bool kReadsAxes = kHasReciprocals<C> || (!kSendsActive<C> && !kHasSecondary<C>);
+inline constexpr bool kReadsAxes = kFast<C> || !kHasSecondary<C>;
 /// Row of such an axis, 0 to 2.
 template <class C>
 using AxisRow = uint<LevelRow<C>::kWidth + 2>;

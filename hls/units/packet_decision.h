@@ -20,7 +20,7 @@ struct PacketDecision {
   hls::In<SliceDecision> slice[kRays<C>];
   hls::Out<TraversalEvent<C>> event;
   hls::Out<ListJob<C>> leaf;
-  hls::OptionalPort<kPointsToLists<C>, hls::RamWrite<AfterLeaf<C>, kLevelRows<C>>> after;
+  hls::OptionalPort<kFast<C>, hls::RamWrite<AfterLeaf<C>, kLevelRows<C>>> after;
   HLS_PORTS(step_in, slice, event, leaf, after)
 
   void step() {
@@ -75,7 +75,7 @@ struct PacketDecision {
         e.both = both;
       }
       e.terminated = s.context.active & terminated;
-      if constexpr (kPointsToLists<C>) {
+      if constexpr (kFast<C>) {
         const bool left_is_leaf = enter_left && is_list<C>(s.node.left);
         const bool right_is_leaf = enter_right && is_list<C>(s.node.right);
         go_on(e, !is_leaf && (next_is_left ? left_is_leaf : right_is_leaf));
@@ -95,7 +95,7 @@ struct PacketDecision {
     job.address = s.node.left;
     job.active = active;
     leaf.write(job);
-    if constexpr (kPointsToLists<C>) {
+    if constexpr (kFast<C>) {
       after.write(level_row<C>(job.level, job.packet), AfterLeaf<C>{});
     }
   }

@@ -27,16 +27,12 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kHasLights<C> && C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
-  hls::OptionalPort<kDecodesUnitRays<C>, hls::Out<UnitRay<C>>> unit_ray;
-  hls::OptionalPort<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
-                    hls::Out<TraversalEvent<C>>>
+  hls::OptionalPort<!kFast<C>, hls::Out<UnitRay<C>>> unit_ray;
+  hls::OptionalPort<kTwoLevels<C> && !kMapsCorners<C> && !kFast<C>, hls::Out<TraversalEvent<C>>>
       enter_object;
-  hls::OptionalPort<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
-  hls::OptionalPort<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
-  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<SliceRay<C>, kLevelRows<C>>> ray[kRays<C>];
-  hls::OptionalPort<kCommonOrigin<C> && !kHasReciprocals<C>,
-                    hls::RamWrite<Vector<Real>, kLevelRows<C>>>
-      origin;
+  hls::OptionalPort<kMapsCorners<C>, hls::Out<ObjectRay<C>>> object_ray;
+  hls::OptionalPort<kFast<C>, hls::Out<TracedRay<C>>> traced;
+  hls::OptionalPort<!kFast<C>, hls::RamWrite<SliceRay<C>, kLevelRows<C>>> ray[kRays<C>];
   hls::OptionalPort<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>>
       signs[kRays<C>];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
@@ -44,15 +40,15 @@ struct PacketDecoder {
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
   hls::OptionalPort<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
-  HLS_PORTS(vector, record, frame, unit_ray, enter_object, object_ray, traced, ray, origin, signs,
-            vectors, arriving, derived)
+  HLS_PORTS(vector, record, frame, unit_ray, enter_object, object_ray, traced, ray, signs, vectors,
+            arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
     const JobRecord<C> job = record.read(in.packet);
     const Ray<Real> r{origin_of(in, job), in.vector};
 
-    const bool triangle = !kOwnCamera<C> && job.kind == TransformKind::kTriangle;
+    const bool triangle = !kFast<C> && job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
     const Derivation pass = job.derived.get().pass;
     const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
@@ -63,7 +59,7 @@ struct PacketDecoder {
     const LevelRow<C> row = level_row<C>(level, in.packet);
     // All light rays of a packet have one origin, the light, and lie as the frame's packets do.
     const RayIndex<C> slot = light && in.point && !has_pairs() ? RayIndex<C>{} : in.ray;
-    if (!triangle && !(kOriginsApart<C> && in.point)) {
+    if (!triangle && !(kCommonOrigin<C> && in.point)) {
       vectors.write(vector_row<C>(row, slot, in.point), in.vector);
     }
     if constexpr (kHasSecondary<C>) {
@@ -77,26 +73,21 @@ struct PacketDecoder {
       }
     }
     if (!in.point) {
-      if constexpr (kCommonOrigin<C> && !kHasReciprocals<C>) {
-        if (!triangle) origin.write(row, r.origin);
-      }
       for (unsigned i = 0; i < kRays<C>; ++i) {
         if (!triangle && in.ray == RayIndex<C>::from(i)) {
-          if constexpr (!kHasReciprocals<C>) ray[i].write(row, slice_ray<C>(r));
+          if constexpr (!kFast<C>) ray[i].write(row, slice_ray<C>(r));
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
       }
       const bool object = job.kind == TransformKind::kObject;
-      if constexpr (kHasReciprocals<C>) {
+      if constexpr (kFast<C>) {
         TracedRay<C> trace;
         trace.is_new = is_new;
         trace.ray = in_object(in, job, r);
         if (is_new || object) {
-          if constexpr (kInvertsAtOnce<C>) {
-            LaneSpacing<C> spacing = spacing_.get();
-            trace.repeat = RepeatCount<C>::from(spacing.wait(in.ray).raw());
-            spacing_ = spacing;
-          }
+          LaneSpacing<C> spacing = spacing_.get();
+          trace.repeat = RepeatCount<C>::from(spacing.wait(in.ray).raw());
+          spacing_ = spacing;
           traced.write(trace);
         }
       }
@@ -111,13 +102,9 @@ struct PacketDecoder {
         if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
         if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
         if (object) enter(in, job, r);
-      } else {
-        if constexpr (kDecodesUnitRays<C>) {
-          if (triangle || (is_new && !kHasReciprocals<C>)) {
-            unit_ray.write(unit_ray_of(in, job, is_new, r));
-          }
-        }
-        if (object && !kHasReciprocals<C>) enter(in, job, r);
+      } else if constexpr (!kFast<C>) {
+        if (triangle || is_new) unit_ray.write(unit_ray_of(in, job, is_new, r));
+        if (object) enter(in, job, r);
       }
     }
   }
@@ -133,7 +120,7 @@ struct PacketDecoder {
   /// Of a camera's rays, whose vectors come between those of another packet, and of all others. A
   /// light's may be among them.
   Vector<Real> origin_of(const PacketVector<C>& in, const JobRecord<C>& job) {
-    if constexpr (kOwnCamera<C>) {
+    if constexpr (kFast<C>) {
       const bool camera = job.kind == TransformKind::kCamera ||
                           (kLightsAtOnce<C> && job.kind == TransformKind::kSecondary);
       if (in.point && camera) camera_origin_ = in.vector;
@@ -156,9 +143,9 @@ struct PacketDecoder {
     return {in.packet, in.ray, job.active, root_of(job), in.last, job.distinct_origins, r};
   }
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
-    if constexpr (kHasReciprocals<C> || !kTwoLevels<C>) {
+    if constexpr (kFast<C> || !kTwoLevels<C>) {
       return;
-    } else if constexpr (kPassesObjectRays<C>) {
+    } else if constexpr (kMapsCorners<C>) {
       object_ray.write(in_object(in, job, r));
     } else if (is_last_ray<C>(in.ray, in.last)) {
       enter_object.write(enter_tree(in_object(in, job, r), job.active));
@@ -168,8 +155,8 @@ struct PacketDecoder {
     return hls::concat(uint<1>(v.z.sign()), hls::concat(uint<1>(v.y.sign()), uint<1>(v.x.sign())));
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
-  hls::OptionalField<kOwnCamera<C>, Vector<Real>> camera_origin_;
-  hls::OptionalField<kInvertsAtOnce<C>, LaneSpacing<C>> spacing_;  ///< of traced rays
+  hls::OptionalField<kFast<C>, Vector<Real>> camera_origin_;
+  hls::OptionalField<kFast<C>, LaneSpacing<C>> spacing_;  ///< of traced rays
   /// Of the triangle that is being mapped.
   hls::OptionalField<kMapsCorners<C>, Vector<Real>> first_corner_;
   hls::OptionalField<kMapsCorners<C>, Vector<Real>> second_corner_;

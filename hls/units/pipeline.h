@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "hls/join.h"
-#include "units/box_clip.h"
 #include "units/cache_fill.h"
 #include "units/cache_lookup.h"
 #include "units/camera_rays.h"
@@ -58,18 +57,17 @@ struct Pipeline {
   List<C> list;
   CacheLookup<C, ListCache<C>> list_lookup;
   CacheFill<C, ListCache<C>> list_fill;
-  std::conditional_t<kSendsActive<C>, MailboxOfRays<C>, Mailbox<C>> mailbox;
+  std::conditional_t<kFast<C>, MailboxOfRays<C>, Mailbox<C>> mailbox;
   MatrixFetch<C> matrix_fetch;
   CacheLookup<C, MatrixCache<C>> matrix_lookup;
   CacheFill<C, MatrixCache<C>> matrix_fill;
   MatrixStore<C> matrix_store;
   SendPacket<C> send_packet;
   Transformation<C> transformation;
-  hls::OptionalPort<kOwnCamera<C>, CameraRays<C>> camera_rays;
+  hls::OptionalPort<kFast<C>, CameraRays<C>> camera_rays;
   hls::OptionalPort<kPairsUnitRays<C>, UnitDecoder<C>> unit_decoder;
   PacketDecoder<C> packet_decoder;
-  hls::OptionalPort<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
-  hls::OptionalPort<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::OptionalPort<kFast<C>, RayReciprocal<C>> ray_reciprocal;
   hls::OptionalPort<kTestsWorldBox<C>, WorldBox<C>> world_box;
   hls::OptionalPort<kMapsCorners<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
@@ -105,15 +103,10 @@ struct Pipeline {
     join.unit("matrix_store", "matrix_store", matrix_store);
     join.unit("send_packet", "send_packet", send_packet);
     join.unit("transformation", "transformation", transformation);
-    if constexpr (kOwnCamera<C>) {
-      join.unit("camera_rays", "camera_rays", camera_rays);
-    }
+    if constexpr (kFast<C>) join.unit("camera_rays", "camera_rays", camera_rays);
     if constexpr (kPairsUnitRays<C>) join.unit("unit_decoder", "unit_decoder", unit_decoder);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
-    if constexpr (kHasReciprocals<C>) {
-      join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
-    }
-    if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
+    if constexpr (kFast<C>) join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
     if constexpr (kTestsWorldBox<C>) join.unit("world_box", "world_box", world_box);
     if constexpr (kMapsCorners<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
@@ -148,14 +141,13 @@ struct Pipeline {
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
   static constexpr auto kShort = hls::WriterFifo::kShort;
   /// The FIFO of a writer whose reader always takes its tokens in the end (file comment).
-  static constexpr auto kShortIfAsked =
-      C::kPacketFifos == PacketFifos::kOne ? kShort : hls::WriterFifo::kHoldsAll;
+  static constexpr auto kShortInFast = kFast<C> ? kShort : hls::WriterFifo::kHoldsAll;
   /// Steps that wait for the slices' decisions, of which a FIFO never holds more. A slice with
   /// reciprocals takes 8 clocks, FIFOs and buffers four; more would cost speed, not hits.
-  static constexpr unsigned kSteps = kCommonOrigin<C> && kHasReciprocals<C> ? 16 : kAll;
+  static constexpr unsigned kSteps = kCommonOrigin<C> ? 16 : kAll;
 
   auto& pixel_reader() {
-    if constexpr (kOwnCamera<C>) {
+    if constexpr (kFast<C>) {
       return camera_rays;
     } else {
       return send_packet;
@@ -165,9 +157,6 @@ struct Pipeline {
   /// The rays that a slice reads.
   void join_rays(hls::Join& join, unsigned i);
   auto& rays_written(unsigned i);
-  auto& origins_written();
-  /// The units that need the distance of a ray's hit.
-  auto distance_readers(unsigned i);
   /// The inputs of the mailbox.
   hls::Writers<MailboxEntry<C>> list_entries();
   template <class Lookup, class Fill>
@@ -180,7 +169,7 @@ std::vector<hls::Config<FrameRegisters<C>>*> Pipeline<C>::frame_readers() {
       &node_lookup.frame,   &node_fill.frame,   &list_lookup.frame, &list_fill.frame,
       &matrix_lookup.frame, &matrix_fill.frame, &mailbox.frame,     &shading.frame};
   if constexpr (C::kUncompressed || kTestsWorldBox<C>) readers.push_back(&matrix_store.frame);
-  if constexpr (C::kUncompressed && kOwnCamera<C>) readers.push_back(&camera_rays.frame);
+  if constexpr (C::kUncompressed && kFast<C>) readers.push_back(&camera_rays.frame);
   if constexpr (C::kUncompressed && kHasLights<C>) readers.push_back(&packet_decoder.frame);
   if constexpr (kTestsWorldBox<C>) readers.push_back(&matrix_fetch.frame);
   if constexpr (kMainFirst<C>) readers.push_back(&list.frame);

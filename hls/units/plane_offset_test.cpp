@@ -8,9 +8,7 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr Origins kOrigins = Origins::kCommon;
-};
+using C = test::FastFromOnePoint<test::Config<8>>;
 struct Watertight : C {
   static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;
 };
@@ -70,7 +68,7 @@ TEST_F(WatertightPlaneOffsets, SayWhetherTheRaysStartInThePlane) {
 /// What a slice decides of a plane that it subtracts its ray's origin from, and of the plane's
 /// distance from the origin of all rays.
 TEST_F(PlaneOffsets, GiveASliceWhatItsOwnOriginGives) {
-  using Own = test::Config<8>;
+  using Own = test::Fast<test::Config<8>>;
   test::UnitBench<TraversalSlice<C>> common;
   test::UnitBench<TraversalSlice<Own>> each;
   const Vector<Real> direction{real(0.5), real(-2), real(0.25)};

@@ -9,24 +9,17 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr Divider kDivider = Divider::kReciprocal;
-};
-struct Boxed : C {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
-};
-static_assert(kHasReciprocals<C> && kHasReciprocals<Boxed>);
+using C = test::Fast<test::Config<8>>;
 using Vec = Vector<Real>;
 constexpr int kBias = Real::kBias;
 
 Real real(double value) { return Real::from_double(value); }
 
-template <class Config>
-class Reciprocals : public testing::Test {
+class RayReciprocals : public testing::Test {
  protected:
   /// As the join's repeater sends it.
   void send(bool is_new, unsigned ray, const Vec& direction) {
-    Repeated<TracedRay<Config>> traced;
+    Repeated<TracedRay<C>> traced;
     traced.job.is_new = is_new;
     traced.job.ray.packet = 5;
     traced.job.ray.ray = RayIndex<C>::from(ray);
@@ -41,16 +34,14 @@ class Reciprocals : public testing::Test {
     bench_.run();
   }
   Ray<Real> saved(unsigned level, unsigned ray) {
-    const auto row = level_row<Config>(Level::from(level), PacketId<Config>(5));
+    const auto row = level_row<C>(Level::from(level), PacketId<C>(5));
     const RayByAxis<Real>& r = bench_.rows(bench_.unit.ray[ray])[row.to_u64()];
     return {{r[0].origin, r[1].origin, r[2].origin},
             {r[0].direction, r[1].direction, r[2].direction}};
   }
   const Vec kOrigin{real(1), real(2), real(3)};
-  test::UnitBench<RayReciprocal<Config>> bench_;
+  test::UnitBench<RayReciprocal<C>> bench_;
 };
-using RayReciprocals = Reciprocals<C>;
-using BoxedRayReciprocals = Reciprocals<Boxed>;
 
 TEST_F(RayReciprocals, ANewRayIsSavedForTheTopLevelBeforeItsReset) {
   send(true, 2, {real(0.5), real(-3), real(1024)});
@@ -82,16 +73,6 @@ TEST_F(RayReciprocals, APacketEntersAnObjectAfterItsLastRay) {
   EXPECT_EQ(saved(1, 3).direction.x, real(0.25));
 }
 
-TEST_F(BoxedRayReciprocals, GoOnToTheBoxWithEveryRay) {
-  for (unsigned ray = 0; ray < kRays<C>; ++ray) send(false, ray, {real(2), real(4), real(-8)});
-  const auto rays = bench_.take(bench_.unit.object_ray);
-  ASSERT_EQ(rays.size(), kRays<C>);
-  EXPECT_EQ(rays[3].ray, RayIndex<C>(3));
-  EXPECT_EQ(rays[3].root, Address(1234));
-  EXPECT_EQ(rays[3].in_object.origin.z, real(3));
-  EXPECT_EQ(rays[3].in_object.direction.z, real(-0.125));
-}
-
 TEST_F(RayReciprocals, HaveTheDirectionsSignWhateverItsSize) {
   hls::testing::Random random(1);
   for (unsigned i = 0; i < 3000; ++i) {
@@ -118,15 +99,9 @@ TEST_F(RayReciprocals, SaturateForDirectionsAboveTheRangesMiddleAlone) {
   EXPECT_EQ(saved(0, 0).direction.y, Real::smallest());
 }
 
-struct WorldBoxes : test::Config<8> {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr Divider kDivider = Divider::kThreeReciprocals;
-  static constexpr Origins kOrigins = Origins::kCommon;
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<test::PacketsOf<test::Config<8>, 8>>;
 
-TEST(RayReciprocalsAtOnce, KeepThoseOfTheWorldForTheTestOfBoxes) {
+TEST(RayReciprocalsOfBoxes, KeepThoseOfTheWorldForTheTestOfBoxes) {
   test::UnitBench<RayReciprocal<WorldBoxes>> bench;
   const auto send = [&bench](bool is_new, unsigned ray, const Vec& direction) {
     Repeated<TracedRay<WorldBoxes>> traced;

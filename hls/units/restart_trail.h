@@ -21,8 +21,6 @@
 // with every fork that is left, so the traversal ends (verif/formal/properties/trail.v).
 #pragma once
 
-#include <algorithm>
-
 #include "units/packet.h"
 
 namespace dynrt {
@@ -37,8 +35,8 @@ struct WayBack {
 template <class C>
 struct RestartTrail {
   /// A bit for each fork of the longest path, the root's highest.
-  using Forks = uint<std::max(kStackDepths<C>[0], kStackDepths<C>[1])>;
-  using Count = uint<hls::index_width(C::kStackEntries + 1)>;
+  using Forks = uint<C::kStackDepth>;
+  using Count = uint<hls::index_width(kStackEntries<C> + 1)>;
 
   Forks waiting;             ///< forks whose near child is being traversed
   Forks passed;              ///< the highest bits: forks above the packet's node
@@ -46,11 +44,6 @@ struct RestartTrail {
   Count kept;                ///< entries that the stack still has
   HLS_FIELDS(waiting, passed, on_way_back, kept)
 
-  static RestartTrail at_root(LevelField<C> level) {
-    RestartTrail trail;
-    trail.passed = root(level);
-    return trail;
-  }
   bool is_too_deep() const { return passed.template bit<0>(); }
   bool is_done() const { return due() == Forks{}; }
   /// Whether the stack has lost the entry that is due.
@@ -65,7 +58,7 @@ struct RestartTrail {
   void push() {
     waiting = waiting | here();
     passed = passed_next();
-    if (kept != Count::from(C::kStackEntries)) kept = hls::next(kept);
+    if (kept != Count::from(kStackEntries<C>)) kept = hls::next(kept);
   }
   /// Into one child of a node, which is a fork or not.
   void descend(bool is_fork, bool is_far) {
@@ -77,24 +70,19 @@ struct RestartTrail {
   }
   /// Out of a leaf or a node that no ray goes on from: into the far child that is due, or to the
   /// root.
-  void pop(LevelField<C> level) {
+  void pop() {
     const Forks before = due();
     const auto less = Forks::from(before.raw() - 1);
     const Forks up_to_last = before ^ less;
     on_way_back = is_lost();
     waiting = is_lost() ? before : before & less;
-    passed = is_lost() ? root(level) : ~up_to_last.template shr<1>();
+    passed = is_lost() ? Forks{} : ~up_to_last.template shr<1>();
     if (!is_lost()) kept = Count::from(kept.raw() - 1);
   }
 
  private:
-  static Forks highest(unsigned count) {
-    return Forks::from(~((1ull << (Forks::kWidth - count)) - 1));
-  }
-  static Forks root(LevelField<C> level) {
-    return highest(Forks::kWidth - (is_top<C>(level) ? kStackDepths<C>[0] : kStackDepths<C>[1]));
-  }
-  Forks passed_next() const { return passed.template shr<1>() | highest(1); }
+  static Forks highest() { return Forks::from(1ull << (Forks::kWidth - 1)); }
+  Forks passed_next() const { return passed.template shr<1>() | highest(); }
   /// The fork that the packet is at or comes to next; none where the path is too deep.
   Forks here() const { return passed_next() & ~passed; }
   Forks due() const { return waiting & passed; }

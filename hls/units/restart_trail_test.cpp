@@ -21,16 +21,15 @@ namespace {
 
 constexpr unsigned kDepth = 12;
 
-struct Whole : test::Config<8, 512, kDepth> {
-  static constexpr Origins kOrigins = Origins::kCommon;
-};
+/// With whole stacks, as the rays of a packet may have origins of their own.
+struct Whole : test::Fast<test::Config<8, 512, kDepth>> {};
 template <class General, unsigned Entries>
-struct Short : General {
-  static constexpr unsigned kStackEntries = Entries;
-};
-struct WholeOfPointers : Whole {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
-};
+struct Short : General {};
+
+}  // namespace
+template <class General, unsigned Entries>
+inline constexpr unsigned kStackEntries<Short<General, Entries>> = Entries;
+namespace {
 
 struct TestNode {
   bool is_leaf = false;
@@ -146,7 +145,7 @@ class Walk {
     for (const ListJob<C>& job : decision_.take(decision_.unit.leaf)) leaf(job);
   }
   NodeAddress<C> pointer(unsigned child) const {
-    const bool list = kPointsToLists<C> && child != 0 && tree_.node(child).is_leaf;
+    const bool list = child != 0 && tree_.node(child).is_leaf;
     return list ? NodeAddress<C>::from((1u << (C::kAddressBits - 1)) | (child / 2))
                 : NodeAddress<C>::from(child);
   }
@@ -166,9 +165,7 @@ class Walk {
     }
     const std::size_t row = 8 * level_ + 3;
     list_.rows(list_.unit.last)[row] = true;
-    if constexpr (kPointsToLists<C>) {
-      list_.rows(list_.unit.after)[row] = decision_.rows(decision_.unit.after)[row];
-    }
+    list_.rows(list_.unit.after)[row] = decision_.rows(decision_.unit.after)[row];
     ListJob<C> at_end;
     at_end.packet = 3;
     at_end.level = Level::from(level_);
@@ -185,13 +182,6 @@ class Walk {
   TraversalEvent<C> next_;
   bool entered_ = false, done_ = false;
   Walked walked_;
-};
-
-struct Sends : Whole {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-};
-struct SendsOfPointers : WholeOfPointers {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
 
 template <class General, unsigned Entries>
@@ -221,36 +211,23 @@ void expect_the_visits_of_a_whole_stack(unsigned hits, unsigned level = 0) {
 
 TEST(RestartTrail, APacketVisitsTheLeavesThatItVisitsWithAWholeStack) {
   for (const unsigned hits : {0, 5, 30}) {
-    expect_the_visits_of_a_whole_stack<Sends, 2>(hits);
-    expect_the_visits_of_a_whole_stack<Sends, 4>(hits);
+    expect_the_visits_of_a_whole_stack<Whole, 2>(hits);
+    expect_the_visits_of_a_whole_stack<Whole, 4>(hits);
   }
 }
 
-TEST(RestartTrail, AndWherePointersLeadToLists) {
-  for (const unsigned hits : {0, 5, 30}) {
-    expect_the_visits_of_a_whole_stack<SendsOfPointers, 2>(hits);
-    expect_the_visits_of_a_whole_stack<SendsOfPointers, 4>(hits);
-  }
-}
+TEST(RestartTrail, AndInAnObject) { expect_the_visits_of_a_whole_stack<Whole, 2>(5, 1); }
 
-template <unsigned Top, unsigned Bottom>
-struct Depths : SendsOfPointers {
-  static constexpr unsigned kTopStackDepth = Top;
-  static constexpr unsigned kStackDepth = Bottom;
+struct Shallow : Whole {
+  static constexpr unsigned kStackDepth = 5;
 };
-
-TEST(RestartTrail, EachLevelHasPathsOfItsOwnLength) {
-  expect_the_visits_of_a_whole_stack<Depths<kDepth, kDepth>, 2>(5, 1);
-  expect_the_visits_of_a_whole_stack<Depths<kDepth, 15>, 2>(5, 0);
-  expect_the_visits_of_a_whole_stack<Depths<15, kDepth>, 2>(5, 1);
-}
 
 TEST(RestartTrail, ATreeThatIsTooDeepDropsPushesAndComesToItsEnd) {
   unsigned dropped = 0, restarts = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const RandomTree tree(seed, 5);
-    for (const Walked& walked : {Walk<Short<Depths<4, 6>, 2>>(tree, 0).walked(),
-                                 Walk<Short<Depths<4, 6>, 2>>(tree, 1).walked()}) {
+    for (const unsigned level : {0, 1}) {
+      const Walked walked = Walk<Short<Shallow, 2>>(tree, level).walked();
       dropped += walked.dropped;
       restarts += walked.restarts;
     }

@@ -52,7 +52,7 @@ struct ScanOut {
 
   hls::In<uint<1>> tick;  ///< asks for a pixel; 1: the display's first
   hls::Config<ScanConfig> config;
-  hls::RamRead<Word, kBankWords, C::kSramLatency> bank;
+  hls::RamRead<Word, kBankWords, kSramLatency> bank;
   hls::Out<ScanPixel> pixel;
   hls::Out<BankAddress> shown;  ///< once in a vertical blank: the next picture
   HLS_PORTS(tick, config, bank, pixel, shown)

@@ -18,20 +18,16 @@
 
 namespace dynrt {
 
-/// Whether the vector store has directions alone: the rays of a packet have one origin, which the
-/// traversal's store has.
-template <class C>
-inline constexpr bool kOriginsApart = kCommonOrigin<C> && kOwnCamera<C>;
-
 /// Row of the vector store: level, packet and the vector's number in the uncompressed order
-/// (2 * ray is the origin, 2 * ray + 1 the direction), or the ray.
+/// (2 * ray is the origin, 2 * ray + 1 the direction), or the ray, where the store has directions
+/// alone: the rays of a packet have one origin, which the traversal's store has.
 template <class C>
-using VectorRow = uint<LevelRow<C>::kWidth + kRayBits<C> + (kOriginsApart<C> ? 0 : 1)>;
+using VectorRow = uint<LevelRow<C>::kWidth + kRayBits<C> + (kCommonOrigin<C> ? 0 : 1)>;
 template <class C>
 inline constexpr unsigned kVectorRows = 1u << VectorRow<C>::kWidth;
 template <class C>
 constexpr VectorRow<C> vector_row(LevelRow<C> row, RayIndex<C> ray, bool point) {
-  if constexpr (kOriginsApart<C>) {
+  if constexpr (kCommonOrigin<C>) {
     return hls::concat(row, ray);
   } else {
     return hls::concat(row, hls::concat(ray, uint<1>(!point)));
@@ -49,8 +45,8 @@ struct SendPacket {
   hls::In<Repeated<SendJob<C>>> job;
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
-  hls::OptionalPort<kOriginsApart<C>, hls::RamRead<Vector<Real>, kLevelRows<C>>> origin;
-  hls::OptionalPort<!kOwnCamera<C>, hls::RamRead<PixelPosition, kPackets>> position;
+  hls::OptionalPort<kCommonOrigin<C>, hls::RamRead<Vector<Real>, kLevelRows<C>>> origin;
+  hls::OptionalPort<!kFast<C>, hls::RamRead<PixelPosition, kPackets>> position;
   hls::OptionalPort<kSendsLightRays<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   HLS_PORTS(job, vector, vectors, origin, position, surface, arriving)
@@ -60,31 +56,31 @@ struct SendPacket {
     const bool corners = kMapsCorners<C> && j.job.kind == TransformKind::kTriangle;
     const bool blocks = kMapsBlocks<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kSecondary;
-    const bool compressed = kSendsActive<C>          ? !corners && !alone && !j.job.pairs.get()
+    const bool compressed = kFast<C>                 ? !corners && !alone && !j.job.pairs.get()
                             : kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount<C>(kRays<C>)
                                                      : !corners && !alone;
     const DerivedRay<C> derived = j.job.derived.get();
     const bool point = !corners && !blocks &&
                        (compressed ? j.index == RepeatCount<C>{} : !j.index.template bit<0>());
-    const RayIndex<C> ray = kSendsActive<C> && !alone ? next_active(j, point, compressed, corners)
-                            : corners                 ? ray_of(j.index)
-                            : alone                   ? derived.ray
-                            : blocks                  ? j.index.template trunc<kRayBits<C>>()
-                            : !compressed             ? j.index.template bits<kRayBits<C>, 1>()
-                            : point                   ? RayIndex<C>{}
-                                                      : RayIndex<C>::from(j.index.raw() - 1);
+    const RayIndex<C> ray = kFast<C> && !alone ? next_active(j, point, compressed, corners)
+                            : corners          ? ray_of(j.index)
+                            : alone            ? derived.ray
+                            : blocks           ? j.index.template trunc<kRayBits<C>>()
+                            : !compressed      ? j.index.template bits<kRayBits<C>, 1>()
+                            : point            ? RayIndex<C>{}
+                                               : RayIndex<C>::from(j.index.raw() - 1);
 
     // Of a ray alone the passes after the first find it in the object.
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle || alone);
     const LevelRow<C> row = level_row<C>(level, j.job.packet);
     Vector<Real> stored = vectors.read(vector_row<C>(row, ray, point));
-    if constexpr (kOriginsApart<C>) {
+    if constexpr (kCommonOrigin<C>) {
       const Vector<Real> common = origin.read(row);
       if (point) stored = common;
     }
 
     Vector<Real> out = stored;
-    if constexpr (!kOwnCamera<C>) {
+    if constexpr (!kFast<C>) {
       const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
       const Vector<Real> pre_primary =
           point ? Vector<Real>{Real{}, Real{}, Real{}}

@@ -33,9 +33,18 @@ struct Config : config::thesis {
   static constexpr unsigned kPackets = Packets;
   static constexpr unsigned kLines = Lines;
   static constexpr unsigned kStackDepth = StackDepth;
-  static constexpr unsigned kTopStackDepth = StackDepth;
   static constexpr unsigned kObjectSlots = Slots;
   static constexpr unsigned kTriangleSlots = Slots;
+};
+
+/// Configuration C with the fast datapath, and where besides a packet's rays start at one point.
+template <class C>
+struct Fast : C {
+  static constexpr Datapath kDatapath = Datapath::kFast;
+};
+template <class C>
+struct FastFromOnePoint : Fast<C> {
+  static constexpr Origins kOrigins = Origins::kCommon;
 };
 
 /// Configuration C with packets of another size, and a typed test's list of all sizes.

@@ -52,7 +52,7 @@ struct Transformation {
       out.vector.z =
           component(in, corners ? n.x : c0.z, corners ? n.y : c1.z, corners ? n.z : c2.z, n.z);
     }
-    const bool to_unit = kOwnCamera<C> && in.to_unit.get();
+    const bool to_unit = kFast<C> && in.to_unit.get();
     if constexpr (kPairsUnitRays<C>) {
       if (to_unit) in_unit_space.write(out);
     }
@@ -73,11 +73,12 @@ struct Transformation {
 
  private:
   static Real component(const PacketVector<C>& in, Real m0, Real m1, Real m2, Real n) {
-    if constexpr (kFusesSums<C>) {
+    if constexpr (kFast<C>) {
       return Real::of_dot({m0, m1, m2}, {in.vector.x, in.vector.y, in.vector.z}, n, in.point);
+    } else {
+      const Real last = m2 * in.vector.z;
+      return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
     }
-    const Real last = m2 * in.vector.z;
-    return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
   }
 
   /// The same multipliers for both: a corner has other operands.

@@ -11,9 +11,7 @@ namespace {
 
 using C = test::Config<8>;
 using UnitBench = test::UnitBench<Transformation<C>>;
-struct Fused : C {
-  static constexpr Sums kSums = Sums::kFused;
-};
+using Fused = test::Fast<C>;
 using Vec = Vector<Real>;
 
 std::array<Real, 3> parts(const Vec& v) { return {v.x, v.y, v.z}; }

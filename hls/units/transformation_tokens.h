@@ -91,7 +91,7 @@ struct SendJob {
   TransformKind kind = TransformKind::kCamera;
   hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};
   [[no_unique_address]] LeafRays<C> sent{};
-  [[no_unique_address]] hls::OptionalField<kSendsActive<C>, bool>
+  [[no_unique_address]] hls::OptionalField<kFast<C>, bool>
       pairs{};  ///< each of them has an origin of its own
   HLS_FIELDS(repeat, packet, kind, derived, sent, pairs)
 };
@@ -153,8 +153,7 @@ struct PacketVector {
   [[no_unique_address]] LastRay<C> last{};
   hls::OptionalField<kMapsCorners<C>, Corner> corner = Corner(kNoCorner);
   hls::OptionalField<kMapsCorners<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
-  [[no_unique_address]] hls::OptionalField<kOwnCamera<C>, bool>
-      to_unit{};  ///< by a triangle's matrix
+  [[no_unique_address]] hls::OptionalField<kFast<C>, bool> to_unit{};  ///< by a triangle's matrix
   HLS_FIELDS(packet, point, ray, vector, last, corner, cosine, to_unit)
 };
 

@@ -41,7 +41,8 @@ struct TraversalSlice {
       ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
-  hls::OptionalPort<kKnowsInterval<C>, hls::RamRead<SliceBox<C>, (1u << PacketId<C>::kWidth)>> box;
+  hls::OptionalPort<kTestsWorldBox<C>, hls::RamRead<CoarseInterval<C>, (1u << PacketId<C>::kWidth)>>
+      box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
   hls::Ram1R1W<Pushed, kStackRows<C>> far_stack;
   HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)
@@ -71,7 +72,7 @@ struct TraversalSlice {
         near = Real{};
       }
       far = hit;
-      if constexpr (kKnowsInterval<C>) {
+      if constexpr (kTestsWorldBox<C>) {
         const BoxInterval<C> inside = interval_of<C>(box.read(c.packet));
         if (c.level == Level(1)) {
           near = inside.near;
@@ -129,7 +130,7 @@ struct TraversalSlice {
   /// From an origin in the plane no offset but zero is right, and no number is zero.
   static Real distance(Real offset, Real direction, bool in_plane) {
     if (kWidening<C> > 0 && in_plane) return direction.sign() ? -Real{} : Real{};
-    return kHasReciprocals<C> ? offset * direction : offset / direction;
+    return kFast<C> ? offset * direction : offset / direction;
   }
   static Real offset_of(const Step<C>& s, const SliceAxis<C>& r) {
     if constexpr (kCommonOrigin<C>) {
@@ -163,13 +164,9 @@ struct TraversalSlice {
     if constexpr (kReadsAxes<C>) {
       return ray.read(axis_row<C>(row, axis));
     } else {
-      const SliceRay<C> r = ray.read(row);
-      if constexpr (kCommonOrigin<C>) {
-        return of_split_axis(kind, r[0], r[1], r[2]);
-      } else {
-        return {of_split_axis(kind, r[0].origin, r[1].origin, r[2].origin),
-                of_split_axis(kind, r[0].direction, r[1].direction, r[2].direction)};
-      }
+      const RayByAxis<Real> r = ray.read(row);
+      return {of_split_axis(kind, r[0].origin, r[1].origin, r[2].origin),
+              of_split_axis(kind, r[0].direction, r[1].direction, r[2].direction)};
     }
   }
 };

@@ -299,13 +299,11 @@ TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
   EXPECT_EQ(other_child.far, Real::largest());
 }
 
-struct WorldBoxes : test::Config<8> {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
+using WorldBoxes = test::FastFromOnePoint<test::Config<8>>;
 
 TEST(TraversalSliceOfBoxes, BeginsAnObjectWithTheIntervalInItsBox) {
   test::UnitBench<TraversalSlice<WorldBoxes>> bench;
-  for (auto& row : bench.rows(bench.unit.ray)) row = {{}, Real::one()};
+  for (auto& row : bench.rows(bench.unit.ray)) row = Real::one();
   bench.rows(bench.unit.hit_distance)[3] = real(100);
   using Distance = BoxDistance<Real>;
   bench.rows(bench.unit.box)[3] = {Distance::from_double(4).magnitude(),

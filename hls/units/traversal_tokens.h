@@ -39,8 +39,7 @@ struct ObjectRay {
 /// A ray whose direction is yet to be inverted.
 template <class C>
 struct TracedRay {
-  /// Axes less one, or clocks that the ray waits for its lane where all are inverted at once.
-  RepeatCount<C> repeat = 2;
+  RepeatCount<C> repeat = 2;     ///< clocks that the ray waits for its lane
   OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)
@@ -77,16 +76,6 @@ constexpr BoxInterval<C> interval_of(const CoarseInterval<C>& coarse) {
   };
   return {end(coarse.near), end(coarse.far)};
 }
-template <class C>
-constexpr BoxInterval<C> interval_of(const BoxInterval<C>& interval) {
-  return interval;
-}
-
-/// What a slice knows of its ray's way through the box of an object that it enters.
-template <class C>
-inline constexpr bool kKnowsInterval = kClipsToBox<C> || kTestsWorldBox<C>;
-template <class C>
-using SliceBox = std::conditional_t<kTestsWorldBox<C>, CoarseInterval<C>, BoxInterval<C>>;
 
 /// The change that a slice makes to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {

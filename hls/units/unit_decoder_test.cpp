@@ -7,9 +7,7 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
-};
+using C = test::Fast<test::Config<8>>;
 struct Spheres : C {
   static constexpr Primitives kPrimitives{.triangle = true, .sphere = true};
 };

@@ -14,10 +14,7 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-};
+using C = test::Fast<test::PacketsOf<test::Config<8>, 8>>;
 using Vec = std::array<double, 3>;
 constexpr unsigned kPacket = 5;
 constexpr unsigned kObject = 1234;

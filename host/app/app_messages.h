@@ -72,8 +72,8 @@ inline constexpr char kFormatNotListed[] = "--format: there is no configuration 
 
 // Frames
 inline constexpr char kDroppedPushes[] =
-    "warning     {} pushes onto full stacks (of {} entries in the top-level tree, {} in objects) "
-    "were dropped: hits may be missing; use a configuration with deeper stacks, such as deep";
+    "warning     {} pushes onto full stacks (of {} entries) were dropped: hits may be missing; "
+    "use a configuration with deeper stacks, such as deep";
 
 inline constexpr char kDisplayMissed[] =
     "warning     the display has waited for its memory and missed pixels since it shows pictures "

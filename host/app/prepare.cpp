@@ -86,7 +86,7 @@ CoreInfo allowed_by(const CoreInfo& core) {
 /// stacks for every tree.
 CoreInfo any_core() {
   CoreInfo core;
-  core.stack_depth = core.top_stack_depth = kMaxTreeDepth;
+  core.stack_depth = kMaxTreeDepth;
   core.primitives = {.triangle = true, .sphere = true, .rectangle = true};
   return core;
 }

@@ -102,8 +102,7 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), frame.traffic.seconds(), frame.bus);
   if (figures.dropped_pushes.value_or(0) > 0) {
-    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.top_stack_depth,
-         frame.core.stack_depth);
+    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.stack_depth);
   }
   if (!frame.core.counters) line("counters    configuration {} has none", frame.core.name);
   return text + units_text(figures) + caches_text(figures);

@@ -151,7 +151,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   Prepared scene = prepared(path("t.json"));
   CoreInfo& core = scene.objects.core;
   core.made_for = "t";
-  core.top_stack_depth = 0;
+  core.stack_depth = 0;
   FakeBoard board(core);
   // There and back again.
   WalkPlan plan(scene.scene, 3, {}, {});
@@ -160,7 +160,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   EXPECT_NO_THROW(walker.render_frame(0, {}));
   EXPECT_THAT([&] { walker.render_frame(1, {}); },
               ThrowsMessage<Exceeded>(
-                  testing::AllOf(HasSubstr("frame 1 of 3 needs top_stack_depth "),
+                  testing::AllOf(HasSubstr("frame 1 of 3 needs stack_depth "),
                                  HasSubstr("and configuration small, made for 't', has 0"))));
   EXPECT_NO_THROW(walker.render_frame(2, {}));
   // A core that was made for no scene renders them all, with a shallower tree if it must.

@@ -36,19 +36,19 @@ struct CoreInfo : CoreConfiguration {
 
   /// Whether it was specialised, and may hold less than other scenes need.
   bool is_specialised() const { return made_for != CoreConfiguration{}.made_for; }
-  /// Whether objects lie in the memory such that their box is the cube from -1 to 1, to which the
-  /// core clips (units/box_clip.h).
-  bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
   /// The fewest lines that a frame may ask for: of list entries, a line in each way.
   unsigned least_lines() const { return ways * entries_of_line(line_nodes); }
+  /// Of a line of the second level of cache.
+  unsigned second_line_bytes() const { return dynrt::second_line_bytes(line_nodes, port_bytes); }
   unsigned pixel_bytes() const { return pixel_bits / 8; }
   /// Pixels from the beginning of an image's row to that of the next, in the banks.
   unsigned pitch(unsigned width) const {
     return memory == MemoryPath::kPort ? row_pitch(width) : width;
   }
+  bool is_watertight() const { return triangle_test == TriangleTest::kWatertight; }
   /// Whether it tests an object's box in the world (units/world_box.h), which then is in the
   /// memory.
-  bool tests_world_box() const { return object_box == ObjectBox::kWorld; }
+  bool tests_world_box() const { return dynrt::tests_world_box(origins, levels); }
 };
 
 /// The host's knowledge of the core of struct C, which a test may have made: the keys that the

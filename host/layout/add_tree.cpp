@@ -51,7 +51,7 @@ std::vector<std::uint32_t> pointers_to(const Tree& tree, const MemoryOrder& orde
 
 std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, const MemoryOrder& order,
                                     unsigned address_bits, std::span<const std::uint32_t> matrix_of,
-                                    const Mesh* object, const glm::dmat4& to_space) {
+                                    const Mesh* object) {
   const std::vector<std::uint32_t> list = add_lists(part, tree, order, matrix_of, object);
   std::vector<std::uint32_t> pointer =
       pointers_to(tree, order, list, part.end_node(), address_bits);
@@ -63,8 +63,7 @@ std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, const Me
     if (from.is_leaf()) {
       node.left = list[i];
     } else {
-      const int k = from.axis;
-      node.split = to_space[k][k] * from.split + to_space[3][k];
+      node.split = from.split + 0.0;  // a zero of either sign is the positive one
       node.left = pointer[from.left];
       node.right = pointer[from.right];
     }

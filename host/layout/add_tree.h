@@ -14,13 +14,11 @@
 
 namespace dynrt::host {
 
-/// Appends a tree, of an object's primitives or of instances, in an order, its planes moved and
-/// scaled to a space; item i becomes the matrix matrix_of[i]. Returns the pointers to the tree's
-/// nodes, of `address_bits` bits: addresses, or where nodes point to the lists of leaves, such
-/// pointers (units/packet.h).
+/// Appends a tree, of an object's primitives or of instances, in an order; item i becomes the
+/// matrix matrix_of[i]. Returns the pointers to the tree's nodes, of `address_bits` bits:
+/// addresses, or where nodes point to the lists of leaves, such pointers (units/packet.h).
 std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, const MemoryOrder& order,
                                     unsigned address_bits, std::span<const std::uint32_t> matrix_of,
-                                    const Mesh* object,
-                                    const glm::dmat4& to_space = glm::dmat4(1.0));
+                                    const Mesh* object);
 
 }  // namespace dynrt::host

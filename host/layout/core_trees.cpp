@@ -88,6 +88,12 @@ std::vector<double> needed_margins(const Scene& scene, const glm::dvec3& eye,
   return margins;
 }
 
+/// The cost of a primitive in a leaf, in steps of the traversal; those of a fast one are cheaper
+/// (docs/results/fast.md).
+double item_cost(const CoreConfiguration& core) {
+  return core.datapath == Datapath::kFast ? 3 : TreeCosts{}.item;
+}
+
 }  // namespace
 
 Scene with_rounded_corners(Scene scene, const MemoryFormat& format) {
@@ -118,6 +124,14 @@ std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& ey
   return names;
 }
 
+Leaves leaves_of(const CoreConfiguration& core) {
+  return core.datapath == Datapath::kFast ? Leaves::kPointers : Leaves::kNodes;
+}
+
+double object_cost(const CoreConfiguration& core) {
+  return core.datapath == Datapath::kFast ? 16 : BoxTreeOptions{}.item;
+}
+
 TreeSize memory_for_trees(const CoreInfo& core) {
   CoreConfiguration whole = core;
   whole.address_bits = kAddressBits;
@@ -128,12 +142,12 @@ TreeSize memory_for_trees(const CoreInfo& core) {
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options) {
   options.grid = Grid(*core.format);
-  options.costs.item = core.item_cost;
-  options.object_cost = core.object_cost;
-  options.leaves = core.leaves;
+  options.costs.item = item_cost(core);
+  options.object_cost = object_cost(core);
+  options.leaves = leaves_of(core);
   options.main_first = core.main_first;
   const TreeSize memory = memory_for_trees(core);
-  if (!is_watertight(core.triangle_test)) {
+  if (!core.is_watertight()) {
     return build_scene_trees(scene, options, memory);
   }
   return build_scene_trees(with_rounded_corners(scene, *core.format), options, memory,

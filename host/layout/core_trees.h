@@ -32,6 +32,11 @@ inline constexpr double kWidestOfTriangle = 1.0 / 16;
 std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
                                         const MemoryFormat& format);
 
+/// The way its memory has leaves.
+Leaves leaves_of(const CoreConfiguration& core);
+/// The cost of entering an object, in steps of the traversal, that its top-level tree is built for.
+double object_cost(const CoreConfiguration& core);
+
 /// The memory that the trees of both levels may take together.
 TreeSize memory_for_trees(const CoreInfo& core);
 

@@ -23,21 +23,18 @@ CoreInfo watertight() {
 }
 
 TEST(CoreTrees, AreBuiltForTheCostsOfTheCore) {
-  const CoreConfiguration by_default;
-  EXPECT_EQ(by_default.item_cost, TreeCosts{}.item);
-  EXPECT_EQ(by_default.object_cost, BoxTreeOptions{}.item);
-
   const Scene scene = two_objects();
-  const auto nodes_with = [&scene](double item_cost) {
+  const auto nodes_of = [&scene](Datapath datapath) {
     CoreInfo core = testing::test_core();
-    core.item_cost = item_cost;
+    core.datapath = datapath;
     std::size_t nodes = 0;
     for (const Tree& tree : trees_for(scene, glm::dvec3(0, 0, 9), core).objects) {
-      nodes += tree.size().nodes;
+      nodes += tree.nodes.size();
     }
     return nodes;
   };
-  EXPECT_LT(nodes_with(0.25), nodes_with(16)) << "dearer items are parted by more nodes";
+  EXPECT_LT(nodes_of(Datapath::kThesis), nodes_of(Datapath::kFast))
+      << "dearer items are parted by more nodes";
 }
 
 TEST(FormTrees, AWatertightTrianglesColumnsAreItsCornersAndItsNormal) {

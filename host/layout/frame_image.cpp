@@ -120,7 +120,8 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
-    const glm::dmat4x3 matrix(object.to_space * inverse);
+    // A zero of either sign is the positive one.
+    const glm::dmat4x3 matrix = glm::dmat4x3(inverse) + 0.0;
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
       refuse(messages::kFlatInstance, instance.name);
     }
@@ -131,8 +132,7 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
     const bool clipped = objects.core.tests_world_box() && is_tight(instance, object.box);
     part.add(to_columns(matrix, clipped ? object.root : entry_of(object, eye)));
     if (stride == 2) {
-      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
-      part.add(to_columns(glm::dmat4x3(back), 0));
+      part.add(to_columns(glm::dmat4x3(instance.transform) + 0.0, 0));
     }
   }
   const std::uint32_t entry = address[instances.entry(camera.position)];

@@ -162,7 +162,7 @@ TEST(Image, BoxesInTheWorldFollowTheLights) {
   Scene scene = two_objects();
   scene.lights.push_back({"lamp", {1, 2, 3}, {2, 4, 1}});
   CoreInfo core = test_core();
-  core.object_box = ObjectBox::kWorld;
+  core.origins = Origins::kCommon;
   const glm::dvec3 eye(0.1, 0.2, 20);
   const Camera camera = testing::camera_at(eye, {0, 0, -1});
   const SceneTrees trees = build_scene_trees(scene);
@@ -211,7 +211,7 @@ TEST(Image, BoxesInTheWorldFollowTheLights) {
     EXPECT_EQ(column.spare, expected.spare);
   }
   core.lights = 0;
-  core.object_box = ObjectBox::kNodes;
+  core.origins = Origins::kEach;
   const ObjectImage without(scene, trees.objects, core);
   const FrameImage plain(scene, without, trees.instances, camera, 320, 240);
   EXPECT_EQ(plain.memory.end_column(), 4 * (plain.light_matrix + 1));
@@ -227,9 +227,9 @@ TEST(Image, ABoxInTheWorldTakesThePlaceOfTheNodesUnlessItIsLoose) {
         i % 2 == 0 ? moved : glm::rotate(moved, 0.7, glm::dvec3(0, 1, 0));
   }
   const SceneTrees trees = build_scene_trees(scene);
-  for (const ObjectBox key : {ObjectBox::kNodes, ObjectBox::kWorld}) {
+  for (const Origins origins : {Origins::kEach, Origins::kCommon}) {
     CoreInfo core = test_core();
-    core.object_box = key;
+    core.origins = origins;
     const ObjectImage objects(scene, trees.objects, core);
     const Camera camera = testing::camera_at({0.1, 30, 20}, {0, 0, -1});
     const FrameImage frame(scene, objects, trees.instances, camera, 320, 240);
@@ -237,7 +237,7 @@ TEST(Image, ABoxInTheWorldTakesThePlaceOfTheNodesUnlessItIsLoose) {
     memory.write(frame.memory.runs());
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
       const ObjectImage::Object& object = objects.objects[scene.instances[i].object];
-      const bool without = key == ObjectBox::kWorld && i % 2 == 0;
+      const bool without = origins == Origins::kCommon && i % 2 == 0;
       EXPECT_EQ(extra_bits(memory.matrix(frame.first_instance + i)),
                 without ? object.root : object.clipped_root)
           << i;
@@ -265,7 +265,7 @@ TEST(Image, RaysStartInTheMainObjectsLeaf) {
   const Scene scene = two_objects();
   std::vector<Aabb> boxes{{glm::dvec3(-100), glm::dvec3(100)}, {glm::dvec3(-1), glm::dvec3(1)}};
   CoreInfo core = testing::test_core();
-  core.leaves = Leaves::kPointers;
+  core.datapath = Datapath::kFast;
   SceneTrees trees = build_scene_trees(scene, {.leaves = Leaves::kPointers});
   trees.instances =
       build_instance_tree(scene, boxes, {.leaves = Leaves::kPointers, .main_first = true});

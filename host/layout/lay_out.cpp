@@ -41,15 +41,15 @@ TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfi
       options.max_depth = entries(core.stack_depth);
     }
   }
-  if (tree_needs(trees.instances).pushes > entries(core.top_stack_depth)) {
-    options.max_top_depth = entries(core.top_stack_depth);
+  if (tree_needs(trees.instances).pushes > entries(core.stack_depth)) {
+    options.max_top_depth = entries(core.stack_depth);
   }
   return options;
 }
 
 /// Names the objects at which a watertight core may lose a ray from far away.
 void note_margins(MemoryImage& image) {
-  if (!is_watertight(image.core().triangle_test)) return;
+  if (!image.core().is_watertight()) return;
   const std::vector<std::string> names =
       beyond_margins(image.scene, image.view.camera.position, *image.core().format);
   if (names.empty()) return;
@@ -76,10 +76,9 @@ void check_before(const Scene& scene, const CoreInfo& core) {
 /// The keys on which no word of the memory depends, or, as of line_nodes, only the order of words,
 /// which every core can read. Any other key counts, so that a new one cannot be forgotten.
 constexpr std::string_view kBesideTheMemory[] = {
-    "line_nodes",   "packets",        "packet_rays",  "rays_sent",    "lines",  "ways",
-    "object_slots", "triangle_slots", "epsilon",      "sram_latency", "lights", "reflections",
-    "scan_out",     "crossing",       "divider",      "origins",      "camera", "uncompressed",
-    "counters",     "stack_entries",  "packet_fifos", "clock_ns"};
+    "line_nodes",   "packets",        "packet_rays",  "lines",    "ways",
+    "object_slots", "triangle_slots", "epsilon",      "lights",   "reflections",
+    "scan_out",     "crossing",       "uncompressed", "counters", "clock_ns"};
 
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;
@@ -136,7 +135,7 @@ MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
   if (options.instances && !options.built) {
     BoxTreeOptions instances = *options.instances;
     instances.grid = Grid(*core.format);
-    instances.leaves = core.leaves;
+    instances.leaves = leaves_of(core);
     instances.main_first = core.main_first;
     image.trees.instances = build_instance_tree(image.scene, image.objects.boxes(), instances);
   }
@@ -170,9 +169,9 @@ SceneNeeds MemoryImage::needs() const {
 Tree instances_of(const MemoryImage& image) {
   return build_instance_tree(image.scene, image.objects.boxes(),
                              {.grid = Grid(*image.core().format),
-                              .leaves = image.core().leaves,
+                              .leaves = leaves_of(image.core()),
                               .main_first = image.core().main_first,
-                              .item = image.core().object_cost,
+                              .item = object_cost(image.core()),
                               .max_depth = image.top_depth,
                               .room = image.top_room});
 }

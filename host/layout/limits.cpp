@@ -47,7 +47,7 @@ std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {
 
 TreeSize address_ends(const CoreConfiguration& core) {
   const std::size_t all = std::size_t{1} << core.address_bits;
-  return {core.leaves == Leaves::kPointers ? all / 2 : all, all};
+  return {core.datapath == Datapath::kFast ? all / 2 : all, all};
 }
 
 void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& part) {

@@ -17,9 +17,6 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
-constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
-
 /// The share that a material reflects, in 256ths; a mirror has neither 0 nor 256.
 std::uint32_t mirror_part(const Material& material) {
   if (!(material.mirror > 0)) return 0;
@@ -43,37 +40,22 @@ glm::dmat4x3 reflection_matrix(const std::array<glm::dvec3, 3>& triangle) {
   return matrix;
 }
 
-/// The map of the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
-/// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
-glm::dmat4 box_to_cube(const Aabb& box) {
-  const glm::dvec3 centre = 0.5 * (box.low + box.high);
-  const glm::dvec3 half = 0.5 * (box.high - box.low);
-  const double least = std::max({half.x, half.y, half.z}) * kFlattestBox;
-  glm::dmat4 matrix(1.0);
-  for (int k = 0; k < 3; ++k) {
-    matrix[k][k] = 1.0 / (std::max(half[k], least) * (1.0 + kBoxMargin));
-    matrix[3][k] = -centre[k] * matrix[k][k];
-  }
-  return matrix;
-}
-
-/// The map of a primitive from the core's space of the object.
-UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primitive,
-                       const glm::dmat4& from_space, bool three) {
+/// The map of a primitive, in which a zero of either sign is the positive one.
+UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primitive, bool three) {
   const MemoryFormat& format = *core.format;
   const double largest = format.largest;
   const bool sphere = mesh.is_ellipsoid(primitive);
   UnitMatrix unit;
   if (sphere) {
     unit = ellipsoid_matrix(mesh.ellipsoid(primitive));
-    unit.matrix = unit.matrix * from_space;
+    unit.matrix += 0.0;
   } else {
     const auto matrix = triangle_matrix(mesh.corners(primitive));
     if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
-    const glm::dmat4x3 in_space = *matrix * from_space;
-    unit = is_watertight(core.triangle_test) ? corner_matrix(mesh.corners(primitive), in_space)
-           : three                           ? efficient_matrix(in_space)
-                                             : UnitMatrix{in_space};
+    const glm::dmat4x3 to_unit = *matrix + 0.0;
+    unit = core.is_watertight() ? corner_matrix(mesh.corners(primitive), to_unit)
+           : three              ? efficient_matrix(to_unit)
+                                : UnitMatrix{to_unit};
   }
   if (const auto element = out_of_range(format, unit.matrix)) {
     if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
@@ -97,18 +79,14 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const Tree& tree = trees[k];
     const std::uint32_t first_matrix = memory.end_column() / apart;
     const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, core.triangle_matrix);
-    const glm::dmat4 to_space = core.clips_to_box() ? box_to_cube(tree.box) : glm::dmat4(1.0);
-    const glm::dmat4 from_space = glm::inverse(to_space);
     const MemoryOrder order =
         memory_order(tree, core.line_nodes, {memory.end_node(), memory.end_entry()});
-    const auto address =
-        add_tree(memory, tree, order, core.address_bits, matrix_of, &mesh, to_space);
-    const std::uint32_t outside = core.clips_to_box() ? tree.root : tree.clipped_root;
-    objects.push_back({address[tree.root], address[outside], first_matrix, tree.box, to_space});
+    const auto address = add_tree(memory, tree, order, core.address_bits, matrix_of, &mesh);
+    objects.push_back({address[tree.root], address[tree.clipped_root], first_matrix, tree.box});
     check_limits(scene, core, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, core.triangle_matrix);
-      const UnitMatrix unit = unit_matrix(core, mesh, i, from_space, three);
+      const UnitMatrix unit = unit_matrix(core, mesh, i, three);
       const Material& material = material_of(scene, mesh, i);
       const bool mirror = is_mirror(scene, mesh, i);
       const std::uint32_t colour = colour_bits(material.diffuse);
@@ -120,8 +98,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
         memory.add(to_columns(format, unit, colour, part));
       }
       if (mirror) {
-        const glm::dmat4 reflection(reflection_matrix(mesh.corners(i)));
-        memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
+        memory.add(to_columns(reflection_matrix(mesh.corners(i)) + 0.0, 0));
       }
     }
     memory.columns.resize(matrix_of.back() * apart);

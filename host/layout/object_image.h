@@ -27,7 +27,6 @@ struct ObjectImage {
     std::uint32_t clipped_root = 0;  ///< for all others
     std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
     Aabb box;
-    glm::dmat4 to_space{1.0};  ///< from the object's space to the core's space of it
   };
   std::vector<Object> objects;
   MemoryPart memory;

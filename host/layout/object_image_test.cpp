@@ -52,12 +52,6 @@ CoreInfo three_columns() {
   return core;
 }
 
-CoreInfo clipping_to_boxes() {
-  CoreInfo core = test_core();
-  core.object_box = ObjectBox::kUnit;
-  return core;
-}
-
 TEST(ObjectImage, TrianglesInThreeColumns) {
   Scene scene = two_objects();
   const SceneTrees trees = build_scene_trees(scene);
@@ -181,7 +175,7 @@ unsigned follow(const SceneMemory& memory, const Tree& tree, std::uint32_t index
 TEST(ObjectImage, NodesPointToTheListsOfLeaves) {
   const Scene scene = two_objects();
   CoreInfo core = test_core();
-  core.leaves = Leaves::kPointers;
+  core.datapath = Datapath::kFast;
   const SceneTrees trees = trees_for(scene, glm::dvec3(0, 0, 9), core);
   const ObjectImage objects(scene, trees.objects, core);
   SceneMemory memory;
@@ -197,50 +191,6 @@ TEST(ObjectImage, NodesPointToTheListsOfLeaves) {
   }
   EXPECT_EQ(objects.memory.end_node(), sum.nodes) << "leaves take no nodes";
   EXPECT_LE(objects.memory.end_entry(), sum.items);
-}
-
-/// Objects whose boxes are the cube from -1 to 1: everything that meets in the core must have moved
-/// there together.
-TEST(ObjectImage, BoxesAreCubes) {
-  Scene scene = two_objects();
-  scene.materials.push_back({"mirror", {0, 0, 0}, 0.8});
-  scene.objects[0].material[3] = 2;
-  const SceneTrees trees = build_scene_trees(scene);
-  const ObjectImage objects(scene, trees.objects, clipping_to_boxes());
-  const Camera camera = testing::camera_at({0.1, 0.2, 20}, {0, 0, -1});
-  const FrameImage frame(scene, objects, trees.instances, camera, 64, 48);
-  SceneMemory memory;
-  memory.write(objects.memory.runs());
-  memory.write(frame.memory.runs());
-  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    const Mesh& mesh = scene.objects[k];
-    const ObjectImage::Object& object = objects.objects[k];
-    EXPECT_EQ(object.root, object.clipped_root) << "no clipping nodes";
-    double largest = 0;
-    for (const glm::dvec3& vertex : mesh.vertices) {
-      const glm::dvec3 v(object.to_space * glm::dvec4(vertex, 1));
-      for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(v[axis]));
-    }
-    EXPECT_LT(largest, 1);
-    EXPECT_GT(largest, 0.99);
-    const MemoryNode root = memory.node(object.root);
-    const TreeNode& split = trees.objects[k].nodes[trees.objects[k].root];
-    const double expected = (object.to_space * glm::dvec4(glm::dvec3(split.split), 1))[split.axis];
-    EXPECT_NEAR(root.split, expected, 1e-5);
-  }
-  const std::uint32_t mirror = objects.objects[0].first_matrix + 3;
-  const auto corners = scene.objects[0].corners(3);
-  const glm::dmat4& to_space = objects.objects[0].to_space;
-  const glm::dvec3 corner(to_space * glm::dvec4(corners[0], 1));
-  EXPECT_LT(glm::length(from_columns(memory.matrix(mirror)) * glm::dvec4(corner, 1) -
-                        glm::dvec3(1, 0, 0)),
-            1e-2);
-  EXPECT_LT(glm::length(from_columns(memory.matrix(mirror + 1)) * glm::dvec4(corner, 1) - corner),
-            1e-3);
-  const glm::dvec3 eye(2, 3, 4);
-  const glm::dmat4x3 into = from_columns(memory.matrix(frame.first_instance));
-  const glm::dmat4x3 back = from_columns(memory.matrix(frame.first_instance + 1));
-  EXPECT_LT(glm::length(back * glm::dvec4(into * glm::dvec4(eye, 1), 1) - eye), 1e-3);
 }
 
 }  // namespace

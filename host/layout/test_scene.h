@@ -23,7 +23,6 @@ inline CoreInfo test_core(const MemoryFormat& format = kShippedFormat) {
   core.packets = 8;
   core.lines = 16;
   core.stack_depth = 63;
-  core.top_stack_depth = 63;
   return core;
 }
 

@@ -84,7 +84,8 @@ std::optional<CacheFigures> second_level_of(const Frame& frame, const CounterTot
   const auto lookups = value_of(totals, counters::kPortLines);
   const auto beats = value_of(totals, counters::kBeats);
   if (frame.core.second_level == 0 || !lookups || !beats) return std::nullopt;
-  return cache_of("second", *lookups, *beats * frame.core.port_bytes / frame.core.second_line);
+  return cache_of("second", *lookups,
+                  *beats * frame.core.port_bytes / frame.core.second_line_bytes());
 }
 
 MemoryFigures memory_of(const Frame& frame, const std::vector<CacheFigures>& caches,

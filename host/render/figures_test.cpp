@@ -65,7 +65,7 @@ TEST(Figures, BeatsAreBytesFromThePort) {
   frame.core.memory = MemoryPath::kPort;
   frame.core.port_bytes = 16;
   frame.core.second_level = 64;
-  frame.core.second_line = 32;
+  frame.core.line_nodes = 4;
   frame.counters.push_back({counters::kBeats, 40});
   frame.counters.push_back({counters::kPortLines, 100});
   const FrameFigures figures = figures_of(frame, 85e6);

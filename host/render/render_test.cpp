@@ -136,8 +136,7 @@ TEST(Render, RefusesAnImageThatWasLaidOutForAnotherCore) {
               ThrowsMessage<UserError>(HasSubstr("with stack_depth 0,")));
   const auto beside_the_memory = [](CoreInfo& core) {
     core.packets = core.lines = 1;
-    core.origins = Origins::kCommon;
-    core.camera = CameraSource::kOwnUnit;
+    core.reflections = 2;
   };
   EXPECT_NO_THROW(rendering(beside_the_memory)()) << "no word of the memory depends on them";
 }

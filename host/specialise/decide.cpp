@@ -38,7 +38,7 @@ Decision decision(const ConfigurationKey& key, const RuleContext& context) {
 
 std::vector<Decision> decide(const SceneNeeds& needs, const CoreConfiguration& general,
                              const FrameDemands& demands) {
-  const RuleContext context{needs, &general, demands, general.leaves};
+  const RuleContext context{needs, &general, demands, general.datapath};
   std::vector<Decision> decisions;
   for_each_key(general, [&](const ConfigurationKey& key, const auto&) {
     if (key.of_core) decisions.push_back(decision(key, context));

@@ -29,7 +29,6 @@ CoreConfiguration whitted() {
   general.stack_depth = 31;
   general.triangle_slots = 32;
   general.object_slots = 32;
-  general.sram_latency = 3;
   general.lights = 8;
   general.reflections = 7;
   general.crossing = Crossing::kRemember;
@@ -65,20 +64,10 @@ TEST(Decide, Levels) {
          "the scene is one object that stands where it is, so its tree is the only one");
   expect(decision("levels", needs_of(many_sails())), 2,
          "9 instances of 1 object need a tree over them");
-  CoreConfiguration boxed = whitted();
-  boxed.object_box = ObjectBox::kUnit;
-  expect(decision("levels", of_one_triangle(), {}, boxed), 2,
+  CoreConfiguration watertight = whitted();
+  watertight.triangle_test = TriangleTest::kWatertight;
+  expect(decision("levels", of_one_triangle(), {}, watertight), 2,
          "configuration whitted prepares rays where they enter an object");
-  CoreConfiguration world = whitted();
-  world.object_box = ObjectBox::kWorld;
-  expect(decision("levels", of_one_triangle(), {}, world), 1,
-         "the scene is one object that stands where it is, so its tree is the only one");
-  expect(decision("object_box", of_one_triangle(), {}, world), "nodes",
-         "no object is entered, so none has a box to be tested before");
-  expect(decision("object_box", needs_of(many_sails()), {}, world), "world",
-         "as in whitted: another way of clipping would round differently");
-  EXPECT_EQ(decision("top_stack_depth", of_one_triangle()).reason,
-            "there is no tree over the objects");
 }
 
 TEST(Decide, StacksAreAsDeepAsTheTreesPush) {
@@ -90,7 +79,7 @@ TEST(Decide, StacksAreAsDeepAsTheTreesPush) {
   needs = needs_of(many_sails());
   needs.frames = 24;
   needs.top_stack.pushes = 5;
-  expect(decision("top_stack_depth", needs), 5,
+  expect(decision("stack_depth", needs), 5,
          "the tree over 9 instances pushes at most 5 in any of 24 frames");
 }
 
@@ -117,13 +106,9 @@ TEST(Decide, AMainObjectIsMetFirstWhereThereIsOne) {
 }
 
 TEST(Decide, WhatChangesNoHitStays) {
-  CoreConfiguration fast = whitted();
-  fast.stack_entries = 8;
-  for (const char* key : {"stack_entries", "packet_fifos", "pipelines"}) {
-    const Decision kept = decision(key, of_one_triangle(), {}, fast);
-    EXPECT_EQ(kept.reason, "as in whitted: hits and pixels do not depend on it") << key;
-  }
-  expect(decision("stack_entries", of_one_triangle(), {}, fast), 8,
+  CoreConfiguration pair = whitted();
+  pair.pipelines = 2;
+  expect(decision("pipelines", of_one_triangle(), {}, pair), 2,
          "as in whitted: hits and pixels do not depend on it");
 }
 
@@ -143,7 +128,7 @@ TEST(Decide, BitsOfAddressesAndMatrices) {
   needs.places.entries = 17;
   EXPECT_EQ(decision("address_bits", needs).value, 5);
   CoreConfiguration pointers = whitted();
-  pointers.leaves = Leaves::kPointers;
+  pointers.datapath = Datapath::kFast;
   needs.places.nodes = 17;
   EXPECT_EQ(decision("address_bits", needs, {}, pointers).value, 6) << "a bit marks lists";
   needs.places.entries = 65;
@@ -213,7 +198,7 @@ TEST(Decide, WhatNoSceneDecidesIsAsInTheGeneralCore) {
   expect(decision("packets", needs), 32, "as in whitted: measurements decide this number");
   expect(decision("rounding", needs), "nearest_even",
          "as in whitted: another value would change the bits");
-  expect(decision("sram_latency", needs), 3, "as in whitted: the board decides it");
+  expect(decision("memory_clocks", needs), 1, "as in whitted: the board decides it");
   expect(decision("counters", needs), false, "the picture does not depend on the counters");
   expect(decision("scan_out", needs), false, "the picture does not need the VGA display");
 }

@@ -32,8 +32,7 @@ unsigned bits_for(std::size_t end) {
 /// (RULES in hls/configs/configurations/rules.py).
 bool has_one_level(const RuleContext& c) {
   if (!c.needs.one_level || c.two_levels) return false;
-  return c.general == nullptr || (c.general->object_box != ObjectBox::kUnit &&
-                                  c.general->triangle_test == TriangleTest::kUnitTriangle);
+  return c.general == nullptr || c.general->triangle_test == TriangleTest::kUnitTriangle;
 }
 
 unsigned bounces(const RuleContext& c) {
@@ -61,15 +60,13 @@ Need levels(const RuleContext& c) {
                          count(c.needs.objects, "object"))};
 }
 
-Need top_stack(const RuleContext& c) {
-  if (has_one_level(c)) return {0, "there is no tree over the objects"};
-  const int pushes = c.needs.top_stack.pushes;
-  return {pushes, fmt::format("the tree over {} pushes at most {}{}",
-                              count(c.needs.instances, "instance"), pushes, in_frames(c.needs))};
-}
-
-Need object_stack(const RuleContext& c) {
+Need stack(const RuleContext& c) {
   const SceneNeeds::Stack& stack = c.needs.object_stack;
+  const int top = c.needs.top_stack.pushes;
+  if (!has_one_level(c) && top > stack.pushes) {
+    return {top, fmt::format("the tree over {} pushes at most {}{}",
+                             count(c.needs.instances, "instance"), top, in_frames(c.needs))};
+  }
   return {stack.pushes, fmt::format("the deepest object tree, '{}', pushes at most {}", stack.tree,
                                     stack.pushes)};
 }
@@ -147,7 +144,7 @@ Need primitives(const RuleContext& c) {
 Need addresses(const RuleContext& c) {
   const SceneNeeds::Places& places = c.needs.places;
   // A pointer to a list has a bit more than the nodes' addresses (units/packet.h).
-  const unsigned mark = c.leaves == Leaves::kPointers ? 1 : 0;
+  const unsigned mark = c.datapath == Datapath::kFast ? 1 : 0;
   return {std::max(bits_for(places.nodes) + mark, bits_for(places.entries)),
           fmt::format(
               "the trees take {} and {}{}", count(places.nodes, "node"),
@@ -197,19 +194,12 @@ Need epsilon(const RuleContext& c) {
 }
 Need hits_stay(const RuleContext& c) { return kept(c, "hits and pixels do not depend on it"); }
 Need of_board(const RuleContext& c) { return kept(c, "the board decides it"); }
-Need object_box(const RuleContext& c) {
-  if (c.general->object_box == ObjectBox::kWorld && has_one_level(c)) {
-    return {"nodes", "no object is entered, so none has a box to be tested before"};
-  }
-  return kept(c, "another way of clipping would round differently");
-}
 
 constexpr Rule kRules[] = {
     {"packets", Holds::kAlways, measured},
     {"lines", Holds::kAlways, measured},
     {"levels", Holds::kFromNeedOn, levels},
-    {"top_stack_depth", Holds::kFromNeedOn, top_stack},
-    {"stack_depth", Holds::kFromNeedOn, object_stack},
+    {"stack_depth", Holds::kFromNeedOn, stack},
     {"object_slots", Holds::kAlways, object_slots},
     {"triangle_slots", Holds::kAlways, triangle_slots},
     {"address_bits", Holds::kFromNeedOn, addresses},
@@ -224,7 +214,6 @@ constexpr Rule kRules[] = {
     {"counters", Holds::kAlways, counters},
     {"scan_out", Holds::kAlways, scan_out},
     {"epsilon", Holds::kAlways, epsilon},
-    {"sram_latency", Holds::kAlways, of_board},
     {"memory_clocks", Holds::kAlways, of_board},
     {"memory", Holds::kAlways, of_board},
     {"port_bytes", Holds::kAlways, of_board},
@@ -233,12 +222,7 @@ constexpr Rule kRules[] = {
     {"ways", Holds::kAlways, hits_stay},
     {"line_nodes", Holds::kAlways, measured},
     {"second_level", Holds::kAlways, hits_stay},
-    {"second_line", Holds::kAlways, hits_stay},
-    {"second_ways", Holds::kAlways, hits_stay},
     {"pipelines", Holds::kAlways, hits_stay},
-    {"object_box", Holds::kAlways, object_box},
-    {"stack_entries", Holds::kAlways, hits_stay},
-    {"packet_fifos", Holds::kAlways, hits_stay},
 };
 
 }  // namespace

@@ -25,8 +25,8 @@ struct RuleContext {
   /// The general core for the scene, if it is known; no rule asks for a part that it lacks.
   const CoreConfiguration* general = nullptr;
   FrameDemands demands{};
-  Leaves leaves = Leaves::kNodes;  ///< of the core
-  bool two_levels = false;         ///< the core has them, whether the scene needs them or not
+  Datapath datapath = Datapath::kThesis;  ///< of the core
+  bool two_levels = false;  ///< the core has them, whether the scene needs them or not
 };
 
 struct Need {

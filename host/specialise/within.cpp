@@ -42,7 +42,7 @@ std::string text_of(const Json& value) {
 std::optional<Excess> excess(const SceneNeeds& needs, const CoreInfo& core) {
   const RuleContext context{.needs = needs,
                             .general = core.general.get(),
-                            .leaves = core.leaves,
+                            .datapath = core.datapath,
                             .two_levels = core.levels == 2};
   for (const Rule& rule : rules()) {
     if (rule.holds == Holds::kAlways) continue;

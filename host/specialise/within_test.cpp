@@ -19,7 +19,6 @@ CoreInfo made_for_a_sail() {
   info.name = "mine";
   info.made_for = "sail";
   info.levels = 2;
-  info.top_stack_depth = 3;
   info.stack_depth = 3;
   info.address_bits = 4;
   info.matrix_bits = 3;
@@ -41,11 +40,10 @@ TEST(Within, WhatWasAnalysedFits) {
 TEST(Within, ADeeperTreeIsRefusedWithBothValues) {
   SceneNeeds needs = needs_of(scene_of(one_triangle("sail")));
   needs.top_stack.pushes = 4;
-  EXPECT_THAT(
-      [&] { check_within(needs, made_for_a_sail(), "frame 7 of 24"); },
-      ::testing::ThrowsMessage<Exceeded>(::testing::HasSubstr(
-          "frame 7 of 24 needs top_stack_depth 4, and configuration mine, made for 'sail', has "
-          "3;")));
+  EXPECT_THAT([&] { check_within(needs, made_for_a_sail(), "frame 7 of 24"); },
+              ::testing::ThrowsMessage<Exceeded>(::testing::HasSubstr(
+                  "frame 7 of 24 needs stack_depth 4, and configuration mine, made for 'sail', has "
+                  "3;")));
 }
 
 /// The first key that is exceeded, with both values.

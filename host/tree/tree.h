@@ -37,6 +37,12 @@ struct TreeSize {
   std::size_t items = 0;
 };
 
+/// The way a leaf of a tree is known in the memory (units/packet.h has the pointers).
+enum class Leaves : std::uint8_t {
+  kNodes,     ///< by a node of its own, which has the address of its list
+  kPointers,  ///< by the pointer of the node above, which is to the list
+};
+
 struct TreeStats {
   std::size_t inner_nodes = 0;
   std::size_t leaves = 0;      ///< leaf nodes, those with the same list counted once

@@ -7,7 +7,8 @@
 
 #include <vector>
 
-#include "core/scenes.h"
+#include "configs/whitted.h"
+#include "core/specialised.h"
 #include "host/board/configurations.h"
 #include "host/render/render.h"
 
@@ -38,8 +39,13 @@ std::vector<std::uint32_t> pixels(Board& board, const MemoryImage& scene) {
   options.height = kHeight;
   return render(board, options, scene).pixels;
 }
-std::vector<std::uint32_t> pixels(const char* configuration) {
-  const auto board = make_board(configurations(), {"model", configuration, ""});
+template <Crossing K>
+struct Crosses : config::whitted {
+  static constexpr Crossing kCrossing = K;
+};
+template <Crossing K>
+std::vector<std::uint32_t> pixels() {
+  const auto board = specialised::board_of<Crosses<K>>();
   return pixels(*board, laid_out(kScene, kWidth, kHeight, board->core()));
 }
 
@@ -51,7 +57,7 @@ std::size_t differing(const std::vector<std::uint32_t>& a, const std::vector<std
   return count;
 }
 
-class Crossing : public testing::Test {
+class CrossingRays : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const auto board = make_board(configurations(), {"model", "whitted", ""});
@@ -63,14 +69,14 @@ class Crossing : public testing::Test {
   static inline std::vector<std::uint32_t> truth_;
 };
 
-TEST_F(Crossing, TheFirstRaysOrderMissesCloserHits) {
-  EXPECT_GT(differing(pixels("whitted_naive"), truth_), 0u);
+TEST_F(CrossingRays, TheFirstRaysOrderMissesCloserHits) {
+  EXPECT_GT(differing(pixels<Crossing::kNone>(), truth_), 0u);
 }
-TEST_F(Crossing, RememberingTheOtherChildMissesNone) {
-  EXPECT_EQ(differing(pixels("whitted"), truth_), 0u);
+TEST_F(CrossingRays, RememberingTheOtherChildMissesNone) {
+  EXPECT_EQ(differing(pixels<Crossing::kRemember>(), truth_), 0u);
 }
-TEST_F(Crossing, SplittingPacketsByDirectionMissesNone) {
-  EXPECT_EQ(differing(pixels("whitted_split"), truth_), 0u);
+TEST_F(CrossingRays, SplittingPacketsByDirectionMissesNone) {
+  EXPECT_EQ(differing(pixels<Crossing::kSplit>(), truth_), 0u);
 }
 
 }  // namespace

@@ -12,13 +12,12 @@
 namespace dynrt::host::specialised {
 namespace {
 
-template <class C, unsigned Bytes, unsigned SecondLevel = 0, unsigned Ways = 1,
-          unsigned Pipelines = 1, unsigned PixelBits = 32>
+template <class C, unsigned Bytes, unsigned SecondLevel = 0, unsigned Pipelines = 1,
+          unsigned PixelBits = 32>
 struct Behind : C {
   static constexpr auto kMemory = MemoryPath::kPort;
   static constexpr unsigned kPortBytes = Bytes;
   static constexpr unsigned kSecondLevel = SecondLevel;
-  static constexpr unsigned kSecondWays = Ways;
   static constexpr unsigned kPipelines = Pipelines;
   static constexpr unsigned kPixelBits = PixelBits;
 };
@@ -27,7 +26,7 @@ struct Lines : C {
   static constexpr unsigned kLineNodes = Nodes;
 };
 template <class C, unsigned Bytes>
-using ShortPixels = Behind<C, Bytes, 0, 1, 1, 16>;
+using ShortPixels = Behind<C, Bytes, 0, 1, 16>;
 
 template <class C, class Port>
 void expect_as_from_banks(const std::string& scene) {
@@ -54,18 +53,18 @@ TEST(MemoryPort, RaysHitWhatTheyHitWithBanks) {
 
 TEST(MemoryPort, WithASecondLevelToo) {
   using config::fast, config::thesis;
-  expect_as_from_banks<thesis, Behind<thesis, 8, 4, 1>>("office");
-  expect_as_from_banks<fast, Behind<fast, 2, 16, 2>>("cistern");
-  expect_as_from_banks<fast, Behind<fast, 32, 128, 4>>("conference");
-  expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 4>>("trees4000");
+  expect_as_from_banks<thesis, Behind<thesis, 8, 4>>("office");
+  expect_as_from_banks<fast, Behind<fast, 2, 16>>("cistern");
+  expect_as_from_banks<fast, Behind<fast, 32, 128>>("conference");
+  expect_as_from_banks<fast, Behind<fast, 16, 64, 4>>("trees4000");
 }
 
 TEST(MemoryPort, WithLinesOfSeveralNodes) {
   using config::fast, config::thesis;
   expect_as_from_banks<thesis, Lines<Behind<thesis, 16>, 2>>("office");
-  expect_as_from_banks<fast, Lines<Behind<fast, 4>, 8>>("trees4000");
-  expect_as_from_banks<fast, Lines<Behind<fast, 2, 16, 2>, 4>>("cistern");
-  expect_as_from_banks<fast, Lines<Behind<fast, 16, 64, 4, 2>, 2>>("conference");
+  expect_as_from_banks<fast, Lines<Behind<fast, 4>, 4>>("trees4000");
+  expect_as_from_banks<fast, Lines<Behind<fast, 2, 16>, 4>>("cistern");
+  expect_as_from_banks<fast, Lines<Behind<fast, 16, 64, 2>, 2>>("conference");
 }
 
 TEST(MemoryPort, ALineOfSeveralNodesSavesReads) {
@@ -81,7 +80,7 @@ TEST(MemoryPort, TakesPixelsOfSixteenBits) {
   using config::fast, config::thesis;
   expect_as_from_banks<thesis, ShortPixels<thesis, 8>>("office");
   expect_as_from_banks<fast, ShortPixels<fast, 4>>("office");
-  expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 2, 16>>("cistern");
+  expect_as_from_banks<fast, Behind<fast, 16, 64, 2, 16>>("cistern");
 }
 
 TEST(MemoryPort, ALineIsReadOnceForAllThatWaitForIt) {
@@ -89,7 +88,7 @@ TEST(MemoryPort, ALineIsReadOnceForAllThatWaitForIt) {
   const auto reads = [](const auto& board) {
     return count_of(rendered(*board, "office", {}), "memory_gather.transactions");
   };
-  const std::uint64_t beats = reads(board_of<Behind<fast, 32, 128, 4>>());
+  const std::uint64_t beats = reads(board_of<Behind<fast, 32, 128>>());
   const std::uint64_t every = reads(board_of<Behind<fast, 32>>());
   EXPECT_LT(2 * beats, every);
 }

@@ -3,9 +3,9 @@
 //
 // Cores of one level, for one object that lies in the world as it is: no ray ever enters an object,
 // and the parts for it are missing. Hit records and pixels are those of two levels.
+#include "configs/fast.h"
 #include "configs/thesis.h"
 #include "configs/whitted.h"
-#include "configs/whitted_split.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
@@ -34,13 +34,17 @@ TEST(OneLevel, OneObjectTakesNoTreeAboveIt) {
   expect_as_general<OneLevel<Thesis>>("thesis", "office");
 }
 
-TEST(OneLevel, RaysMayHaveReciprocalDirections) {
-  expect_as_reciprocal<OneLevel<Reciprocal>>("blocks", merge);
+TEST(OneLevel, OfTheFastDatapathToo) {
+  expect_as_general<OneLevel<config::fast>>("fast", "blocks", merge);
 }
+
+struct Split : config::whitted {
+  static constexpr Crossing kCrossing = Crossing::kSplit;
+};
 
 TEST(OneLevel, LightAndReflectionsTakeOneLevelToo) {
   expect_as_general<OneLevel<config::whitted>>("whitted", "lamps", merge);
-  expect_as_general<OneLevel<config::whitted_split>>("whitted_split", "lamps", merge);
+  expect_as<OneLevel<Split>>(*board_of<Split>(), "split", "lamps", merge);
 }
 
 TEST(OneLevel, AllElseMayBeLeftOutToo) {

@@ -5,10 +5,10 @@
 // whichever rays travel with it, and the image's edges may cut a packet anywhere.
 #include <algorithm>
 
+#include "configs/fast.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "configs/whitted.h"
-#include "configs/whitted_split.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
@@ -17,12 +17,6 @@ namespace {
 template <class General, unsigned Rays>
 struct Packets : General {
   static constexpr unsigned kPacketRays = Rays;
-};
-
-/// Only rays that are in a leaf meet what it lists.
-template <class General, unsigned Rays>
-struct Active : Packets<General, Rays> {
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
 
 template <class General>
@@ -44,51 +38,29 @@ TEST(PacketRays, CornersAreMappedForEachRay) {
   expect_as_of_four<config::watertight>("watertight", "blocks");
 }
 
-TEST(PacketRays, RaysThatAreNotInALeafMissNothing) {
-  expect_as_general<Active<config::thesis, 4>>("thesis", "blocks");
-  expect_as_general<Active<config::thesis, 8>>("thesis", "office");
-  expect_as_general<Active<config::whitted, 8>>("whitted", "lamps");
-  expect_as_general<Active<config::whitted_split, 8>>("whitted_split", "lamps");
-  expect_as_general<Active<config::watertight, 16>>("watertight", "blocks");
+TEST(PacketRays, RaysOfTheFastDatapathDoToo) {
+  const Frame eight = rendered(*board_of<config::fast>(), "office", {});
+  for (const auto& board :
+       {board_of<Packets<config::fast, 4>>(), board_of<Packets<config::fast, 16>>()}) {
+    expect_same_picture(rendered(*board, "office", {}), eight, "office", "special", "fast");
+  }
 }
 
-template <class General>
-struct AtOnce : General {
-  static constexpr Divider kDivider = Divider::kThreeReciprocals;
-};
-
-TEST(PacketRays, ReciprocalsAreTheSameOneByOneAndAtOnce) {
-  expect_as_reciprocal<AtOnce<Reciprocal>>("blocks");
-  expect_as_reciprocal<AtOnce<Active<Reciprocal, 8>>>("office");
-}
-
-template <class General>
-struct PointsToLists : General {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
-};
-
-TEST(PacketRays, LeavesWithoutNodesAreMetAsThoseWithNodes) {
-  expect_as_general<PointsToLists<config::thesis>>("thesis", "blocks");
-  expect_as_general<PointsToLists<Active<config::thesis, 8>>>("thesis", "office");
-  expect_as_general<PointsToLists<config::whitted>>("whitted", "lamps");
-  expect_as_general<PointsToLists<config::whitted_split>>("whitted_split", "lamps");
-  expect_as_general<PointsToLists<config::watertight>>("watertight", "blocks");
-}
-
-template <class General>
-struct MainFirst : General {
-  static constexpr bool kMainFirst = true;
+struct TreeFirst : config::fast {
+  static constexpr bool kMainFirst = false;
 };
 
 TEST(PacketRays, WithTheMainObjectFirstTheSameIsHit) {
-  const Frame tree = expect_as_general<config::thesis>("thesis", "conference");
-  const Frame main = expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 4>>>>(
-      "thesis", "conference");
+  const auto main_first = board_of<config::fast>();
+  const auto tree_first = board_of<TreeFirst>();
+  const Frame main = rendered(*main_first, "conference", {});
+  const Frame tree = rendered(*tree_first, "conference", {});
+  expect_same_picture(main, tree, "conference", "main object first", "tree first");
   EXPECT_LT(count_of(main, "list.transactions"), count_of(tree, "list.transactions"));
-  expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 8>>>>("thesis", "conference");
-  expect_as_general<MainFirst<PointsToLists<Active<config::whitted, 4>>>>("whitted", "lamps");
   // Rays start in a list here too, but no tree over others follows.
-  expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 4>>>>("thesis", "blocks", merge);
+  expect_same_picture(rendered(*main_first, "blocks", merge),
+                      rendered(*tree_first, "blocks", merge), "blocks", "main object first",
+                      "tree first");
 }
 
 TEST(PacketRays, EdgesOfTheImageCutPackets) {
@@ -120,22 +92,6 @@ TEST(PacketRays, APacketOfEightIsShadedForTwoOfFour) {
   const Frame eight = expect_as_general<Packets<config::thesis, 8>>("thesis", "blocks");
   EXPECT_EQ(count_of(four, "shade_job.tokens"), kWidth * kHeight / 4);
   EXPECT_EQ(count_of(eight, "shade_job.tokens"), kWidth * kHeight / 8);
-}
-
-TEST(PacketRays, ALeafWithoutNodeCostsNoStep) {
-  const Frame nodes = expect_as_general<config::thesis>("thesis", "office");
-  const Frame pointers = expect_as_general<PointsToLists<config::thesis>>("thesis", "office");
-  for (const char* counter : {"node_fetch.transactions", "slice_0.transactions"}) {
-    EXPECT_LT(count_of(pointers, counter), count_of(nodes, counter)) << counter;
-  }
-}
-
-TEST(PacketRays, RaysThatAreNotInALeafAreNotTransformed) {
-  const Frame all = expect_as_general<Packets<config::thesis, 8>>("thesis", "office");
-  const Frame active = expect_as_general<Active<config::thesis, 8>>("thesis", "office");
-  const std::uint64_t vectors = count_of(all, "transformation.transactions");
-  EXPECT_GT(vectors, kWidth * kHeight);
-  EXPECT_LT(count_of(active, "transformation.transactions"), vectors - vectors / 8);
 }
 
 }  // namespace

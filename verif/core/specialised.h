@@ -17,7 +17,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "configs/full.h"
 #include "core/scenes.h"
 #include "host/board/configurations.h"
 #include "host/board/native_core.h"
@@ -112,15 +111,6 @@ Frame expect_as_general(const char* configuration, const std::string& scene,
                         const ChangeScene& change = {}) {
   const auto general = make_board(configurations(), {"model", configuration, ""});
   return expect_as<C>(*general, configuration, scene, change);
-}
-
-/// `full` with one divider for all slices.
-struct Reciprocal : config::full {
-  static constexpr Divider kDivider = Divider::kReciprocal;
-};
-template <class C>
-Frame expect_as_reciprocal(const std::string& scene, const ChangeScene& change = {}) {
-  return expect_as<C>(*board_of<Reciprocal>("reciprocal"), "reciprocal", scene, change);
 }
 
 /// The sentence with which something is refused.

@@ -74,7 +74,6 @@ using ::testing::ContainsRegex;
 
 /// Of two levels, with short stacks and few addresses: for `blocks`.
 struct ForBlocks : Thesis {
-  static constexpr unsigned kTopStackDepth = 10;
   static constexpr unsigned kStackDepth = 20;
   static constexpr unsigned kAddressBits = 13;
   static constexpr unsigned kMatrixBits = 11;
@@ -84,7 +83,6 @@ struct ForBlocks : Thesis {
 /// Of one level: for `office`.
 struct ForOffice : Thesis {
   static constexpr unsigned kLevels = 1;
-  static constexpr unsigned kTopStackDepth = 1;
   static constexpr unsigned kStackDepth = 25;
   static constexpr unsigned kObjectSlots = 0;
   static constexpr unsigned kAddressBits = 18;

@@ -23,7 +23,6 @@ using Thesis = config::thesis;
 /// matrices, and whose trees are not deep.
 template <class General>
 struct Lean : General {
-  static constexpr unsigned kTopStackDepth = 10;
   static constexpr unsigned kStackDepth = 20;
   static constexpr unsigned kAddressBits = 13;
   static constexpr unsigned kMatrixBits = 11;
@@ -34,11 +33,9 @@ struct Lean : General {
 };
 /// As deep as the trees of `blocks` ask for, and far less.
 struct Tight : Thesis {
-  static constexpr unsigned kTopStackDepth = 7;
   static constexpr unsigned kStackDepth = 18;
 };
 struct Shallow : Thesis {
-  static constexpr unsigned kTopStackDepth = 1;
   static constexpr unsigned kStackDepth = 2;
 };
 struct OneColour : Thesis {
@@ -97,14 +94,13 @@ TEST(Specialised, RegistersGoToTheirPlaces) {
 
 TEST(Specialised, StacksTakeTheRowsOfTheTreesDepths) {
   EXPECT_EQ(kStackRows<Thesis>, 32u * 64);
-  EXPECT_EQ(kStackRows<Lean<Thesis>>, 32u * 32);
-  EXPECT_EQ(core_info_of<Lean<Thesis>>().top_stack_depth, 10u);
+  EXPECT_EQ(kStackRows<Lean<Thesis>>, 32u * 64);
+  EXPECT_EQ(core_info_of<Lean<Thesis>>().stack_depth, 20u);
 }
 
 TEST(Specialised, StacksOfTheDepthsThatAreDecidedDropNothing) {
   const MemoryImage blocks = laid_out("blocks", core_info_of<Thesis>());
   for (const Decision& one : decide(blocks.needs(), core_info_of<Thesis>(), {})) {
-    if (one.key == "top_stack_depth") EXPECT_EQ(one.value, Tight::kTopStackDepth);
     if (one.key == "stack_depth") EXPECT_EQ(one.value, Tight::kStackDepth);
   }
   // Trees are not made shallower for the stacks: too short ones must drop pushes.

@@ -20,7 +20,7 @@ void shape(Request& r, Random& random) {
   if constexpr (kHasSecondLevel<C>) {
     r.invalidate = random.below(16) == 0;
     if (random.below(4) != 0) r.kind = MemoryKind::kNode;
-    constexpr unsigned kNodes = kTags * kSecondSets<C> * C::kSecondLine / kNodeBytes;
+    constexpr unsigned kNodes = kTags * kSecondSets<C> * kSecondLine<C> / kNodeBytes;
     if (random.below(8) != 0) r.address = number_below<Request::kAddressBits>(random, kNodes);
     if (random.below(8) == 0) r.tries = uint<8>::ones();
   }
@@ -47,11 +47,11 @@ void setup(Bench<Lookup>& bench, const Run& /*run*/) {
       row.torn = random.below(8) == 0;
       row.line = some_line(number, random);
     };
-    for (unsigned w = 0; w < C::kSecondWays; ++w) {
+    for (unsigned w = 0; w < kSecondWays; ++w) {
       const auto row = [likely, n = 0u](SecondRow<C>& r, Random& random) mutable {
         likely(r, n++, random);
       };
-      bench.shape<SecondRow<C>>(C::kSecondWays == 1 ? "rows_0" : "rows_" + std::to_string(w), row);
+      bench.shape<SecondRow<C>>(kSecondWays == 1 ? "rows_0" : "rows_" + std::to_string(w), row);
     }
     const auto last = [likely, n = 0u](LastMiss<C>& r, Random& random) mutable {
       likely(r, n++, random);

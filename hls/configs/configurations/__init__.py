@@ -3,6 +3,7 @@
 """The configurations of the core: their keys (keys.py) and what these ask of each other (rules.py),
 read from JSON (reading.py) and written as C++ (cpp.py)."""
 
+from configurations.gone import GONE
 from configurations.keys import KEYS, Key
 from configurations.reading import (
     LISTED,
@@ -18,6 +19,7 @@ from configurations.reading import (
 from configurations.rules import RULES
 
 __all__ = [
+    "GONE",
     "KEYS",
     "LISTED",
     "RULES",

@@ -32,32 +32,14 @@ class Key:
 ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
 MEMORIES = Choice("MemoryPath", {"banks": "kBanks", "port": "kPort"})
 CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
-OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit", "world": "kWorld"})
-DIVIDERS = Choice(
-    "Divider",
-    {
-        "quotient": "kQuotient",
-        "reciprocal": "kReciprocal",
-        "three_reciprocals": "kThreeReciprocals",
-    },
-)
+DATAPATHS = Choice("Datapath", {"thesis": "kThesis", "fast": "kFast"})
 ORIGINS = Choice("Origins", {"each": "kEach", "common": "kCommon"})
-CAMERAS = Choice("CameraSource", {"transformation": "kTransformation", "own_unit": "kOwnUnit"})
-SUMS = Choice("Sums", {"rounded": "kRounded", "fused": "kFused"})
-LEAVES = Choice("Leaves", {"nodes": "kNodes", "pointers": "kPointers"})
-PACKET_FIFOS = Choice("PacketFifos", {"all": "kAll", "one": "kOne"})
 MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
 )
-RAYS_SENT = Choice("RaysSent", {"traced": "kTraced", "active": "kActive"})
 TRIANGLE_TESTS = Choice(
-    "TriangleTest",
-    {
-        "unit_triangle": "kUnitTriangle",
-        "watertight": "kWatertight",
-        "watertight_common": "kWatertightCommon",
-    },
+    "TriangleTest", {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"}
 )
 PRIMITIVES = Subset("Primitives", ("triangle", "sphere", "rectangle"))
 
@@ -99,12 +81,13 @@ KEYS: dict[str, Key] = {
         "rays of a packet: 4 are 2x2 pixels, 8 are 4x2, 16 are 4x4",
         4,
     ),
-    "rays_sent": Key(
-        RAYS_SENT,
-        "kRaysSent",
-        "which rays of a packet enter an object or meet a triangle: all that are traced, or those that "
-        "are in the leaf; the mailbox then remembers for each item which rays it had",
-        "traced",
+    "datapath": Key(
+        DATAPATHS,
+        "kDatapath",
+        "the thesis's, or a smaller and quicker one: rays that are not in a leaf are left out, slices "
+        "multiply with reciprocals, a unit of its own makes camera rays, a transformation's sums are "
+        "rounded once, the pointer to a leaf is that to its list, and most FIFOs of packets are short",
+        "thesis",
     ),
     "lines": Key(
         Whole(1, 512, power_of_two=True),
@@ -127,15 +110,9 @@ KEYS: dict[str, Key] = {
     "stack_depth": Key(
         Whole(1, 63),
         "kStackDepth",
-        "entries of a packet's stack in an object's tree; where stack_entries are fewer, nodes with "
-        "two children on a path",
-    ),
-    "top_stack_depth": Key(Whole(1, 63), "kTopStackDepth", "the same in the top-level tree", 31),
-    "stack_entries": Key(
-        Whole(2, 64, power_of_two=True),
-        "kStackEntries",
-        "entries that each stack of a packet keeps; for an older one it starts again at the root",
-        64,
+        "entries of a packet's stack in a tree, those for nodes with two children on a path; where "
+        "origins are common, a stack keeps four of them, and a packet starts again at the root for an "
+        "older one",
     ),
     "object_slots": Key(
         Whole(0, 32),
@@ -153,9 +130,6 @@ KEYS: dict[str, Key] = {
     "mantissa_bits": Key(Whole(8, 29), "Real::kMantissaBits", "stored mantissa bits of the float"),
     "rounding": Key(ROUNDINGS, "Real::kRounding", "of every operation of the float"),
     "epsilon": Key(Number(0, 1), "kEpsilon", "how far outside the unit triangle a hit may lie"),
-    "sram_latency": Key(
-        Whole(3, 8), "kSramLatency", "clocks from an SRAM bank's address to its data"
-    ),
     "memory_clocks": Key(
         Whole(1, 16),
         "kMemoryClocks",
@@ -174,14 +148,9 @@ KEYS: dict[str, Key] = {
     "second_level": Key(
         Whole(4, 128, power_of_two=True, or_zero=True),
         "kSecondLevel",
-        "kilobytes of a second level of cache before the port, which all pipelines share; 0: none",
+        "kilobytes of a second level of cache before the port, which all pipelines share, in four "
+        "ways; 0: none",
         0,
-    ),
-    "second_line": Key(
-        Whole(16, 32, power_of_two=True), "kSecondLine", "bytes of a line of the second level", 32
-    ),
-    "second_ways": Key(
-        Whole(1, 4, power_of_two=True), "kSecondWays", "ways of the second level", 4
     ),
     "pixel_bits": Key(
         Whole(16, 32, power_of_two=True),
@@ -205,44 +174,13 @@ KEYS: dict[str, Key] = {
         "what happens to a packet whose rays disagree on the nearer child",
         "none",
     ),
-    "object_box": Key(
-        OBJECT_BOXES,
-        "kObjectBox",
-        "how rays are clipped to the box of an object that they enter",
-        "nodes",
-    ),
-    "divider": Key(
-        DIVIDERS,
-        "kDivider",
-        "how the traversal finds the distance of a plane",
-        "quotient",
-    ),
     "origins": Key(
         ORIGINS,
         "kOrigins",
         "whether each ray of a packet has an origin in the traversal, or all have one, which is "
-        "subtracted from a plane once",
+        "subtracted from a plane once; then rays that miss an object's box in the world do not enter "
+        "the object",
         "each",
-    ),
-    "camera": Key(
-        CAMERAS,
-        "kCamera",
-        "what makes camera rays: the transformation, or a unit beside it",
-        "transformation",
-    ),
-    "sums": Key(
-        SUMS,
-        "kSums",
-        "how the products of a transformation are added: each operation is rounded, or their sum is "
-        "rounded once",
-        "rounded",
-    ),
-    "leaves": Key(
-        LEAVES,
-        "kLeaves",
-        "how the traversal knows a leaf: by a node of its own, or by the pointer of the node above it, "
-        "which then is that of the list",
-        "nodes",
     ),
     "triangle_matrix": Key(
         MATRICES, "kTriangleMatrix", "what is stored of a triangle", "normal_consistent"
@@ -269,29 +207,8 @@ KEYS: dict[str, Key] = {
         "whether every surface has the same colour, which the frame states",
         False,
     ),
-    "packet_fifos": Key(
-        PACKET_FIFOS,
-        "kPacketFifos",
-        "which FIFOs of packets hold every packet in flight: all, or most are short and those alone "
-        "do that it takes to keep each loop of units moving",
-        "all",
-    ),
-    "item_cost": Key(
-        Number(0.25, 16),
-        None,
-        "cost of a primitive in a leaf, in steps of the traversal, that objects' trees are built for",
-        1.25,
-        of_core=False,
-    ),
-    "object_cost": Key(
-        Number(1, 256),
-        None,
-        "cost of entering an object, in steps of the traversal, that the top-level tree is built for",
-        8,
-        of_core=False,
-    ),
     "line_nodes": Key(
-        Whole(1, 8, power_of_two=True),
+        Whole(1, 4, power_of_two=True),
         "kLineNodes",
         "nodes of a line of the node cache, which come in one read and are a subtree; from 2 on, a "
         "line of the list cache has twice as many entries",

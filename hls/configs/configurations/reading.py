@@ -13,6 +13,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from configurations.gone import GONE
 from configurations.keys import KEYS
 from configurations.kinds import Sentence, whole
 from configurations.rules import FLOAT_BITS, RULES
@@ -111,6 +112,10 @@ def _value_of(where: str, stated: Mapping[str, Any], key: str) -> Any:
 def _complete(where: str, stated: Mapping[str, Any]) -> Configuration:
     """Every key, in the order of KEYS, its value of the kind that it should be; throws Refused."""
     for unknown in stated:
+        if unknown in GONE:
+            raise Refused(
+                f"{where}: the key '{unknown}' is gone; {GONE[unknown]}", _line_of(stated, unknown)
+            )
         if unknown not in KEYS:
             raise Refused(
                 f"{where}: unknown key '{unknown}'; the keys are {', '.join(KEYS)}",
@@ -153,10 +158,12 @@ def checked(name: str, stated: object) -> Configuration:
             _line_of(stated, "mantissa_bits"),
         )
     for rule in RULES:
-        if config[rule.key] == rule.value and not rule.allows(config[rule.other]):
+        is_given = all(config[key] == value for key, value in rule.given.items())
+        if is_given and not rule.wants.allows(config[rule.other]):
+            given = " and ".join(f"{key} {json.dumps(v)}" for key, v in rule.given.items())
             raise Refused(
-                f"{where}: with {rule.key} {json.dumps(rule.value)} the key '{rule.other}' must "
-                f"be {rule.wants}, as {rule.why}; it is {json.dumps(config[rule.other])}",
+                f"{where}: with {given} the key '{rule.other}' must be {rule.wants}, as {rule.why}; "
+                f"it is {json.dumps(config[rule.other])}",
                 _line_of(stated, rule.other),
             )
     return config

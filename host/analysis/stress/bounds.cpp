@@ -19,15 +19,10 @@ bool has_shipped_numbers(const CoreInfo& core) {
 }
 
 /// Like `thesis`, or `watertight`.
-bool computes_as_thesis(const CoreInfo& core) {
-  return !core.clips_to_box() && core.divider == Divider::kQuotient &&
-         core.sums == Sums::kRounded && core.rays_sent == RaysSent::kTraced;
-}
+bool computes_as_thesis(const CoreInfo& core) { return core.datapath == Datapath::kThesis; }
 /// Like `fast`, or `fast_watertight`.
 bool computes_as_fast(const CoreInfo& core) {
-  return core.tests_world_box() && core.divider == Divider::kThreeReciprocals &&
-         core.origins == Origins::kCommon && core.sums == Sums::kFused &&
-         core.rays_sent == RaysSent::kActive;
+  return core.datapath == Datapath::kFast && core.tests_world_box();
 }
 
 const Bound* find(std::span<const Bound> bounds, const std::string& full_name) {
@@ -42,7 +37,7 @@ bool is_measured(const CoreInfo& core) {
 }
 
 const Bound* bound_on(const CoreInfo& core, const std::string& full_name) {
-  const bool watertight = is_watertight(core.triangle_test);
+  const bool watertight = core.is_watertight();
   if (!computes_as_fast(core)) {
     return watertight ? find(watertight_bounds(), full_name) : nullptr;
   }

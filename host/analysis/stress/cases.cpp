@@ -55,14 +55,14 @@ bool is_of_cracks(const std::string& why) {
 
 std::string Case::why_on(const CoreInfo& board) const {
   if (const Bound* bound = bound_on(board, full_name())) return bound->why;
-  return is_watertight(board.triangle_test) && is_of_cracks(why) ? "" : why;
+  return board.is_watertight() && is_of_cracks(why) ? "" : why;
 }
 
 Allowed Case::allowed(const CoreInfo& board) const {
   Allowed allowed = on_thesis;
   if (const Bound* bound = bound_on(board, full_name())) {
     allowed = bound->allowed;
-  } else if (is_watertight(board.triangle_test) && is_of_cracks(why)) {
+  } else if (board.is_watertight() && is_of_cracks(why)) {
     allowed.lost = allowed.twice = 0;
   }
   allowed.stated = is_measured(board);

@@ -54,7 +54,7 @@ Board& Boards::get(const std::string& configuration) {
 }
 
 std::string Examiner::with_secondary_rays() {
-  return is_watertight(board().core().triangle_test) ? "whitted_watertight" : "whitted";
+  return board().core().is_watertight() ? "whitted_watertight" : "whitted";
 }
 
 Rendered Examiner::render(const Trial& trial) {

@@ -183,11 +183,10 @@ TEST(Cases, HaveBoundsForCoresThatWereMeasured) {
   const Case& c = cases()[0];
   CoreInfo core;
   EXPECT_TRUE(c.allowed(core).stated);
-  core.rays_sent = RaysSent::kActive;
-  EXPECT_FALSE(c.allowed(core).stated) << "a ray may pass the leaf of its triangle";
-  core.rays_sent = RaysSent::kTraced;
-  core.divider = Divider::kThreeReciprocals;
-  EXPECT_FALSE(c.allowed(core).stated);
+  core.datapath = Datapath::kFast;
+  EXPECT_FALSE(c.allowed(core).stated) << "rays have origins of their own";
+  core.origins = Origins::kCommon;
+  EXPECT_TRUE(c.allowed(core).stated);
 }
 
 TEST(Cases, AreFortyAndMoreNamedApart) {

@@ -23,7 +23,7 @@ Trial room(const MemoryFormat& numbers, double size) {
   return trial;
 }
 
-bool is_watertight(Examiner& b) { return is_watertight(b.board().core().triangle_test); }
+bool is_watertight(Examiner& b) { return b.board().core().is_watertight(); }
 
 Rendered without_u_v(Rendered rendered) {
   for (Frame& frame : rendered.frames) {

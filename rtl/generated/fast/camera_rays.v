@@ -151,8 +151,8 @@ module camera_rays #(
   wire [9:0] mux_20_s2 = {and_6_s2 ? mux_19_s2[8:0] : mux_19_s2[9:1], ~and_6_s2 & mux_19_s2[0]};  // units/camera_rays.h:43
   wire [15:0] mux_21_s2 = {16{mux_20_s2[9]}} & {sub_2_s2, mux_20_s2[8:0]};  // units/camera_rays.h:43
   wire [15:0] mux_22_s2 = {16{mux_13_s2[9]}} & {sub_1_s2, mux_13_s2[8:0]};  // units/camera_rays.h:43
-  wire [7:0] add_1_s2 = {1'd0, mux_2_s2[22:16]} + {1'd0, mux_21_s2[15:9]};  // units/camera_rays.h:74
-  wire [7:0] add_2_s2 = {1'd0, mux_4_s2[22:16]} + {1'd0, mux_22_s2[15:9]};  // units/camera_rays.h:74
+  wire [7:0] add_1_s2 = {1'd0, mux_2_s2[22:16]} + {1'd0, mux_21_s2[15:9]};  // units/camera_rays.h:72
+  wire [7:0] add_2_s2 = {1'd0, mux_4_s2[22:16]} + {1'd0, mux_22_s2[15:9]};  // units/camera_rays.h:72
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -183,10 +183,10 @@ module camera_rays #(
     eq_24_s3 <= eq_24_s2;
     j_last_s3 <= j_last_s2;
   end
-  wire [26:0] mul_1_s3 = {1'd1, mux_2_s3[15:0]} * {1'd1, mux_21_s3};  // units/camera_rays.h:74
-  wire [26:0] mul_2_s3 = {1'd1, mux_4_s3[15:0]} * {1'd1, mux_22_s3};  // units/camera_rays.h:74
-  wire [7:0] add_3_s3 = {1'd0, mux_6_s3[22:16]} + 8'd63;  // units/camera_rays.h:74
-  wire [7:0] mux_23_s3 = (add_2_s3 < add_3_s3) ? add_3_s3 : add_2_s3;  // units/camera_rays.h:74
+  wire [26:0] mul_1_s3 = {1'd1, mux_2_s3[15:0]} * {1'd1, mux_21_s3};  // units/camera_rays.h:72
+  wire [26:0] mul_2_s3 = {1'd1, mux_4_s3[15:0]} * {1'd1, mux_22_s3};  // units/camera_rays.h:72
+  wire [7:0] add_3_s3 = {1'd0, mux_6_s3[22:16]} + 8'd63;  // units/camera_rays.h:72
+  wire [7:0] mux_23_s3 = (add_2_s3 < add_3_s3) ? add_3_s3 : add_2_s3;  // units/camera_rays.h:72
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -221,10 +221,10 @@ module camera_rays #(
     eq_24_s4 <= eq_24_s3;
     j_last_s4 <= j_last_s3;
   end
-  wire [7:0] mux_24_s4 = (add_1_s4 < mux_23_s4) ? mux_23_s4 : add_1_s4;  // units/camera_rays.h:74
-  wire [7:0] sub_3_s4 = mux_24_s4 - add_1_s4;  // units/camera_rays.h:74
-  wire [7:0] sub_4_s4 = mux_24_s4 - add_2_s4;  // units/camera_rays.h:74
-  wire [7:0] sub_5_s4 = mux_24_s4 - add_3_s4;  // units/camera_rays.h:74
+  wire [7:0] mux_24_s4 = (add_1_s4 < mux_23_s4) ? mux_23_s4 : add_1_s4;  // units/camera_rays.h:72
+  wire [7:0] sub_3_s4 = mux_24_s4 - add_1_s4;  // units/camera_rays.h:72
+  wire [7:0] sub_4_s4 = mux_24_s4 - add_2_s4;  // units/camera_rays.h:72
+  wire [7:0] sub_5_s4 = mux_24_s4 - add_3_s4;  // units/camera_rays.h:72
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -259,27 +259,27 @@ module camera_rays #(
     eq_24_s5 <= eq_24_s4;
     j_last_s5 <= j_last_s4;
   end
-  wire eq_11_s5 = sub_3_s5[7:5] == 3'd0;  // units/camera_rays.h:74
-  wire [21:0] mux_25_s5 = {~{16{sub_3_s5[4]}} & mul_1_s5[26:11], sub_3_s5[4] ? mul_1_s5[26:21] : mul_1_s5[10:5]};  // units/camera_rays.h:74
-  wire [21:0] mux_26_s5 = {~{8{sub_3_s5[3]}} & mux_25_s5[21:14], sub_3_s5[3] ? mux_25_s5[21:8] : mux_25_s5[13:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_27_s5 = {~{4{sub_3_s5[2]}} & mux_26_s5[21:18], sub_3_s5[2] ? mux_26_s5[21:4] : mux_26_s5[17:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_28_s5 = {~{2{sub_3_s5[1]}} & mux_27_s5[21:20], sub_3_s5[1] ? mux_27_s5[21:2] : mux_27_s5[19:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_29_s5 = {~sub_3_s5[0] & mux_28_s5[21], sub_3_s5[0] ? mux_28_s5[21:1] : mux_28_s5[20:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_30_s5 = {~{16{sub_4_s5[4]}} & mul_2_s5[26:11], sub_4_s5[4] ? mul_2_s5[26:21] : mul_2_s5[10:5]};  // units/camera_rays.h:74
-  wire [21:0] mux_31_s5 = {~{8{sub_4_s5[3]}} & mux_30_s5[21:14], sub_4_s5[3] ? mux_30_s5[21:8] : mux_30_s5[13:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_32_s5 = {~{4{sub_4_s5[2]}} & mux_31_s5[21:18], sub_4_s5[2] ? mux_31_s5[21:4] : mux_31_s5[17:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_33_s5 = {~{2{sub_4_s5[1]}} & mux_32_s5[21:20], sub_4_s5[1] ? mux_32_s5[21:2] : mux_32_s5[19:0]};  // units/camera_rays.h:74
-  wire [21:0] mux_34_s5 = {~sub_4_s5[0] & mux_33_s5[21], sub_4_s5[0] ? mux_33_s5[21:1] : mux_33_s5[20:0]};  // units/camera_rays.h:74
-  wire eq_12_s5 = sub_4_s5[7:5] == 3'd0;  // units/camera_rays.h:74
-  wire [21:0] mux_35_s5 = {22{eq_12_s5}} & mux_34_s5;  // units/camera_rays.h:74
-  wire [21:0] mux_36_s5 = {22{eq_11_s5}} & mux_29_s5;  // units/camera_rays.h:74
-  wire [20:0] mux_37_s5 = {sub_5_s5[4] ? 1'd0 : 1'd1, ~{15{sub_5_s5[4]}} & mux_6_s5[15:1], sub_5_s5[4] | mux_6_s5[0], {4{sub_5_s5[4]}} & mux_6_s5[15:12]};  // units/camera_rays.h:74
-  wire [20:0] mux_38_s5 = {~{8{sub_5_s5[3]}} & mux_37_s5[20:13], sub_5_s5[3] ? mux_37_s5[20:8] : mux_37_s5[12:0]};  // units/camera_rays.h:74
-  wire [20:0] mux_39_s5 = {~{4{sub_5_s5[2]}} & mux_38_s5[20:17], sub_5_s5[2] ? mux_38_s5[20:4] : mux_38_s5[16:0]};  // units/camera_rays.h:74
-  wire [20:0] mux_40_s5 = {~{2{sub_5_s5[1]}} & mux_39_s5[20:19], sub_5_s5[1] ? mux_39_s5[20:2] : mux_39_s5[18:0]};  // units/camera_rays.h:74
-  wire [20:0] mux_41_s5 = {~sub_5_s5[0] & mux_40_s5[20], sub_5_s5[0] ? mux_40_s5[20:1] : mux_40_s5[19:0]};  // units/camera_rays.h:74
-  wire eq_13_s5 = sub_5_s5[7:5] == 3'd0;  // units/camera_rays.h:74
-  wire [20:0] mux_42_s5 = {21{eq_13_s5}} & mux_41_s5;  // units/camera_rays.h:74
+  wire eq_11_s5 = sub_3_s5[7:5] == 3'd0;  // units/camera_rays.h:72
+  wire [21:0] mux_25_s5 = {~{16{sub_3_s5[4]}} & mul_1_s5[26:11], sub_3_s5[4] ? mul_1_s5[26:21] : mul_1_s5[10:5]};  // units/camera_rays.h:72
+  wire [21:0] mux_26_s5 = {~{8{sub_3_s5[3]}} & mux_25_s5[21:14], sub_3_s5[3] ? mux_25_s5[21:8] : mux_25_s5[13:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_27_s5 = {~{4{sub_3_s5[2]}} & mux_26_s5[21:18], sub_3_s5[2] ? mux_26_s5[21:4] : mux_26_s5[17:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_28_s5 = {~{2{sub_3_s5[1]}} & mux_27_s5[21:20], sub_3_s5[1] ? mux_27_s5[21:2] : mux_27_s5[19:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_29_s5 = {~sub_3_s5[0] & mux_28_s5[21], sub_3_s5[0] ? mux_28_s5[21:1] : mux_28_s5[20:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_30_s5 = {~{16{sub_4_s5[4]}} & mul_2_s5[26:11], sub_4_s5[4] ? mul_2_s5[26:21] : mul_2_s5[10:5]};  // units/camera_rays.h:72
+  wire [21:0] mux_31_s5 = {~{8{sub_4_s5[3]}} & mux_30_s5[21:14], sub_4_s5[3] ? mux_30_s5[21:8] : mux_30_s5[13:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_32_s5 = {~{4{sub_4_s5[2]}} & mux_31_s5[21:18], sub_4_s5[2] ? mux_31_s5[21:4] : mux_31_s5[17:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_33_s5 = {~{2{sub_4_s5[1]}} & mux_32_s5[21:20], sub_4_s5[1] ? mux_32_s5[21:2] : mux_32_s5[19:0]};  // units/camera_rays.h:72
+  wire [21:0] mux_34_s5 = {~sub_4_s5[0] & mux_33_s5[21], sub_4_s5[0] ? mux_33_s5[21:1] : mux_33_s5[20:0]};  // units/camera_rays.h:72
+  wire eq_12_s5 = sub_4_s5[7:5] == 3'd0;  // units/camera_rays.h:72
+  wire [21:0] mux_35_s5 = {22{eq_12_s5}} & mux_34_s5;  // units/camera_rays.h:72
+  wire [21:0] mux_36_s5 = {22{eq_11_s5}} & mux_29_s5;  // units/camera_rays.h:72
+  wire [20:0] mux_37_s5 = {sub_5_s5[4] ? 1'd0 : 1'd1, ~{15{sub_5_s5[4]}} & mux_6_s5[15:1], sub_5_s5[4] | mux_6_s5[0], {4{sub_5_s5[4]}} & mux_6_s5[15:12]};  // units/camera_rays.h:72
+  wire [20:0] mux_38_s5 = {~{8{sub_5_s5[3]}} & mux_37_s5[20:13], sub_5_s5[3] ? mux_37_s5[20:8] : mux_37_s5[12:0]};  // units/camera_rays.h:72
+  wire [20:0] mux_39_s5 = {~{4{sub_5_s5[2]}} & mux_38_s5[20:17], sub_5_s5[2] ? mux_38_s5[20:4] : mux_38_s5[16:0]};  // units/camera_rays.h:72
+  wire [20:0] mux_40_s5 = {~{2{sub_5_s5[1]}} & mux_39_s5[20:19], sub_5_s5[1] ? mux_39_s5[20:2] : mux_39_s5[18:0]};  // units/camera_rays.h:72
+  wire [20:0] mux_41_s5 = {~sub_5_s5[0] & mux_40_s5[20], sub_5_s5[0] ? mux_40_s5[20:1] : mux_40_s5[19:0]};  // units/camera_rays.h:72
+  wire eq_13_s5 = sub_5_s5[7:5] == 3'd0;  // units/camera_rays.h:72
+  wire [20:0] mux_42_s5 = {21{eq_13_s5}} & mux_41_s5;  // units/camera_rays.h:72
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -310,12 +310,12 @@ module camera_rays #(
     eq_24_s6 <= eq_24_s5;
     j_last_s6 <= j_last_s5;
   end
-  wire xor_1_s6 = mux_2_s6 ^ mux_4_s6;  // units/camera_rays.h:74
-  wire [21:0] xor_2_s6 = mux_35_s6 ^ {22{xor_1_s6}};  // units/camera_rays.h:74
-  wire [24:0] add_4_s6 = {2'd0, mux_36_s6, 1'd1} + {{2{xor_1_s6}}, xor_2_s6, xor_1_s6};  // units/camera_rays.h:74
-  wire xor_3_s6 = mux_2_s6 ^ mux_6_s6;  // units/camera_rays.h:74
-  wire [20:0] xor_4_s6 = mux_42_s6 ^ {21{xor_3_s6}};  // units/camera_rays.h:74
-  wire [25:0] add_5_s6 = {add_4_s6[24], add_4_s6[24:1], 1'd1} + {{4{xor_3_s6}}, xor_4_s6, xor_3_s6};  // units/camera_rays.h:74
+  wire xor_1_s6 = mux_2_s6 ^ mux_4_s6;  // units/camera_rays.h:72
+  wire [21:0] xor_2_s6 = mux_35_s6 ^ {22{xor_1_s6}};  // units/camera_rays.h:72
+  wire [24:0] add_4_s6 = {2'd0, mux_36_s6, 1'd1} + {{2{xor_1_s6}}, xor_2_s6, xor_1_s6};  // units/camera_rays.h:72
+  wire xor_3_s6 = mux_2_s6 ^ mux_6_s6;  // units/camera_rays.h:72
+  wire [20:0] xor_4_s6 = mux_42_s6 ^ {21{xor_3_s6}};  // units/camera_rays.h:72
+  wire [25:0] add_5_s6 = {add_4_s6[24], add_4_s6[24:1], 1'd1} + {{4{xor_3_s6}}, xor_4_s6, xor_3_s6};  // units/camera_rays.h:72
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -338,15 +338,15 @@ module camera_rays #(
     eq_24_s7 <= eq_24_s6;
     j_last_s7 <= j_last_s6;
   end
-  wire [23:0] xor_5_s7 = add_5_s7[24:1] ^ {24{add_5_s7[25]}};  // units/camera_rays.h:74
-  wire [24:0] add_6_s7 = {xor_5_s7, add_5_s7[25]} + 25'd1;  // units/camera_rays.h:74
-  wire eq_15_s7 = add_6_s7[24:21] == 4'd0;  // units/camera_rays.h:74
-  wire eq_16_s7 = add_6_s7[20:17] == 4'd0;  // units/camera_rays.h:74
-  wire eq_17_s7 = add_6_s7[16:13] == 4'd0;  // units/camera_rays.h:74
-  wire eq_19_s7 = add_6_s7[8:5] == 4'd0;  // units/camera_rays.h:74
-  wire and_8_s7 = eq_17_s7 & (add_6_s7[12:9] == 4'd0);  // units/camera_rays.h:74
-  wire and_9_s7 = eq_19_s7 & (add_6_s7[4:1] == 4'd0);  // units/camera_rays.h:74
-  wire xor_6_s7 = mux_2_s7 ^ add_5_s7[25];  // units/camera_rays.h:74
+  wire [23:0] xor_5_s7 = add_5_s7[24:1] ^ {24{add_5_s7[25]}};  // units/camera_rays.h:72
+  wire [24:0] add_6_s7 = {xor_5_s7, add_5_s7[25]} + 25'd1;  // units/camera_rays.h:72
+  wire eq_15_s7 = add_6_s7[24:21] == 4'd0;  // units/camera_rays.h:72
+  wire eq_16_s7 = add_6_s7[20:17] == 4'd0;  // units/camera_rays.h:72
+  wire eq_17_s7 = add_6_s7[16:13] == 4'd0;  // units/camera_rays.h:72
+  wire eq_19_s7 = add_6_s7[8:5] == 4'd0;  // units/camera_rays.h:72
+  wire and_8_s7 = eq_17_s7 & (add_6_s7[12:9] == 4'd0);  // units/camera_rays.h:72
+  wire and_9_s7 = eq_19_s7 & (add_6_s7[4:1] == 4'd0);  // units/camera_rays.h:72
+  wire xor_6_s7 = mux_2_s7 ^ add_5_s7[25];  // units/camera_rays.h:72
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -381,20 +381,20 @@ module camera_rays #(
     eq_24_s8 <= eq_24_s7;
     j_last_s8 <= j_last_s7;
   end
-  wire not_5_s8 = ~(add_6_s8 == 24'd0);  // units/camera_rays.h:74
-  wire and_7_s8 = eq_15_s8 & eq_16_s8;  // units/camera_rays.h:74
-  wire and_10_s8 = and_7_s8 & and_8_s8;  // units/camera_rays.h:74
-  wire [23:0] mux_43_s8 = {and_10_s8 ? add_6_s8[8:1] : add_6_s8[24:17], ~{16{and_10_s8}} & add_6_s8[16:1]};  // units/camera_rays.h:74
-  wire mux_45_s8 = and_10_s8 ? and_9_s8 : and_7_s8;  // units/camera_rays.h:74
-  wire [23:0] mux_46_s8 = {mux_45_s8 ? mux_43_s8[15:0] : mux_43_s8[23:8], ~{8{mux_45_s8}} & mux_43_s8[7:0]};  // units/camera_rays.h:74
-  wire mux_47_s8 = mux_45_s8 ? (eq_17_s8 | and_10_s8) : (and_10_s8 ? eq_19_s8 : eq_15_s8);  // units/camera_rays.h:74
-  wire [23:0] mux_48_s8 = {mux_47_s8 ? mux_46_s8[19:0] : mux_46_s8[23:4], ~{4{mux_47_s8}} & mux_46_s8[3:0]};  // units/camera_rays.h:74
-  wire and_11_s8 = not_5_s8 & mux_47_s8;  // units/camera_rays.h:74
-  wire eq_21_s8 = mux_48_s8[23:22] == 2'd0;  // units/camera_rays.h:74
-  wire [23:0] mux_49_s8 = {eq_21_s8 ? mux_48_s8[21:0] : mux_48_s8[23:2], ~{2{eq_21_s8}} & mux_48_s8[1:0]};  // units/camera_rays.h:74
-  wire and_12_s8 = not_5_s8 & eq_21_s8;  // units/camera_rays.h:74
-  wire and_13_s8 = not_5_s8 & (~mux_49_s8[23]);  // units/camera_rays.h:74
-  wire [23:0] mux_50_s8 = {and_11_s8 ? mux_46_s8[19:0] : mux_46_s8[23:4], ~{4{and_11_s8}} & mux_46_s8[3:0]};  // units/camera_rays.h:74
+  wire not_5_s8 = ~(add_6_s8 == 24'd0);  // units/camera_rays.h:72
+  wire and_7_s8 = eq_15_s8 & eq_16_s8;  // units/camera_rays.h:72
+  wire and_10_s8 = and_7_s8 & and_8_s8;  // units/camera_rays.h:72
+  wire [23:0] mux_43_s8 = {and_10_s8 ? add_6_s8[8:1] : add_6_s8[24:17], ~{16{and_10_s8}} & add_6_s8[16:1]};  // units/camera_rays.h:72
+  wire mux_45_s8 = and_10_s8 ? and_9_s8 : and_7_s8;  // units/camera_rays.h:72
+  wire [23:0] mux_46_s8 = {mux_45_s8 ? mux_43_s8[15:0] : mux_43_s8[23:8], ~{8{mux_45_s8}} & mux_43_s8[7:0]};  // units/camera_rays.h:72
+  wire mux_47_s8 = mux_45_s8 ? (eq_17_s8 | and_10_s8) : (and_10_s8 ? eq_19_s8 : eq_15_s8);  // units/camera_rays.h:72
+  wire [23:0] mux_48_s8 = {mux_47_s8 ? mux_46_s8[19:0] : mux_46_s8[23:4], ~{4{mux_47_s8}} & mux_46_s8[3:0]};  // units/camera_rays.h:72
+  wire and_11_s8 = not_5_s8 & mux_47_s8;  // units/camera_rays.h:72
+  wire eq_21_s8 = mux_48_s8[23:22] == 2'd0;  // units/camera_rays.h:72
+  wire [23:0] mux_49_s8 = {eq_21_s8 ? mux_48_s8[21:0] : mux_48_s8[23:2], ~{2{eq_21_s8}} & mux_48_s8[1:0]};  // units/camera_rays.h:72
+  wire and_12_s8 = not_5_s8 & eq_21_s8;  // units/camera_rays.h:72
+  wire and_13_s8 = not_5_s8 & (~mux_49_s8[23]);  // units/camera_rays.h:72
+  wire [23:0] mux_50_s8 = {and_11_s8 ? mux_46_s8[19:0] : mux_46_s8[23:4], ~{4{and_11_s8}} & mux_46_s8[3:0]};  // units/camera_rays.h:72
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -427,11 +427,11 @@ module camera_rays #(
     eq_24_s9 <= eq_24_s8;
     j_last_s9 <= j_last_s8;
   end
-  wire [23:0] mux_51_s9 = {and_12_s9 ? mux_50_s9[21:0] : mux_50_s9[23:2], ~{2{and_12_s9}} & mux_50_s9[1:0]};  // units/camera_rays.h:74
-  wire [23:0] mux_52_s9 = {and_13_s9 ? mux_51_s9[22:0] : mux_51_s9[23:1], ~and_13_s9 & mux_51_s9[0]};  // units/camera_rays.h:74
-  wire [7:0] add_7_s9 = {2'd0, mux_24_s9[7:2]} + 8'd241;  // units/camera_rays.h:74
-  wire [9:0] sub_6_s9 = {add_7_s9, mux_24_s9[1:0]} - {5'd0, and_10_s9, mux_45_s9, and_11_s9, and_12_s9, and_13_s9};  // units/camera_rays.h:74
-  wire and_14_s9 = mux_52_s9[6] & (~({mux_52_s9[7], 1'd0, mux_52_s9[5:0]} == 8'd0));  // units/camera_rays.h:74
+  wire [23:0] mux_51_s9 = {and_12_s9 ? mux_50_s9[21:0] : mux_50_s9[23:2], ~{2{and_12_s9}} & mux_50_s9[1:0]};  // units/camera_rays.h:72
+  wire [23:0] mux_52_s9 = {and_13_s9 ? mux_51_s9[22:0] : mux_51_s9[23:1], ~and_13_s9 & mux_51_s9[0]};  // units/camera_rays.h:72
+  wire [7:0] add_7_s9 = {2'd0, mux_24_s9[7:2]} + 8'd241;  // units/camera_rays.h:72
+  wire [9:0] sub_6_s9 = {add_7_s9, mux_24_s9[1:0]} - {5'd0, and_10_s9, mux_45_s9, and_11_s9, and_12_s9, and_13_s9};  // units/camera_rays.h:72
+  wire and_14_s9 = mux_52_s9[6] & (~({mux_52_s9[7], 1'd0, mux_52_s9[5:0]} == 8'd0));  // units/camera_rays.h:72
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -456,12 +456,12 @@ module camera_rays #(
     eq_24_s10 <= eq_24_s9;
     j_last_s10 <= j_last_s9;
   end
-  wire [25:0] add_8_s10 = {sub_6_s10, 15'd0, and_14_s10} + {10'd0, mux_52_s10[22:7]};  // units/camera_rays.h:74
-  wire and_15_s10 = mux_52_s10[23] & (~add_8_s10[25]);  // units/camera_rays.h:74
-  wire eq_23_s10 = add_8_s10[24:23] == 2'd0;  // units/camera_rays.h:74
-  wire and_16_s10 = xor_6_s10 & mux_52_s10[23];  // units/camera_rays.h:74
-  wire [22:0] mux_53_s10 = ~{23{eq_23_s10}} | add_8_s10[22:0];  // units/camera_rays.h:74
-  wire [22:0] mux_54_s10 = {23{and_15_s10}} & mux_53_s10;  // units/camera_rays.h:74
+  wire [25:0] add_8_s10 = {sub_6_s10, 15'd0, and_14_s10} + {10'd0, mux_52_s10[22:7]};  // units/camera_rays.h:72
+  wire and_15_s10 = mux_52_s10[23] & (~add_8_s10[25]);  // units/camera_rays.h:72
+  wire eq_23_s10 = add_8_s10[24:23] == 2'd0;  // units/camera_rays.h:72
+  wire and_16_s10 = xor_6_s10 & mux_52_s10[23];  // units/camera_rays.h:72
+  wire [22:0] mux_53_s10 = ~{23{eq_23_s10}} | add_8_s10[22:0];  // units/camera_rays.h:72
+  wire [22:0] mux_54_s10 = {23{and_15_s10}} & mux_53_s10;  // units/camera_rays.h:72
 
   // ---- stage 11 ----
   reg valid_s11;

@@ -186,15 +186,15 @@ module node_fetch #(
   wire [30:0] mux_3_s2 = ~{31{enter_s2}} & states_60_s2;
   wire [30:0] mux_4_s2 = ~{31{enter_s2}} & states_29_s2;
   wire [7:0] state_alive_3_s2 = state_alive_2_s2 & (~e_terminated_s2);  // units/node_fetch.h:75
-  wire is_lost_s2 = mux_2_s2[10:8] == 3'd0;  // units/restart_trail.h:57
-  wire [30:0] and_3_s2 = mux_3_s2 & mux_4_s2;  // units/restart_trail.h:100
-  wire full_s2 = ~mux_3_s2[0];  // units/restart_trail.h:54
+  wire is_lost_s2 = mux_2_s2[10:8] == 3'd0;  // units/restart_trail.h:50
+  wire [30:0] and_3_s2 = mux_3_s2 & mux_4_s2;  // units/restart_trail.h:88
+  wire full_s2 = ~mux_3_s2[0];  // units/restart_trail.h:47
   wire and_15_s2 = full_s2 & and_14_s2;
   wire [1:0] mux_18_s2 = ~{2{enter_s2}} & mux_1_s2;
-  wire [30:0] not_15_s2 = ~mux_3_s2;  // units/restart_trail.h:74
-  wire [29:0] and_18_s2 = mux_3_s2[30:1] & not_15_s2[29:0];  // units/restart_trail.h:99
-  wire [30:0] and_19_s2 = mux_4_s2 & {not_15_s2[30], and_18_s2};  // units/restart_trail.h:73
-  wire [29:0] or_8_s2 = not_15_s2[30:1] | mux_3_s2[29:0];  // units/restart_trail.h:74
+  wire [30:0] not_15_s2 = ~mux_3_s2;  // units/restart_trail.h:67
+  wire [29:0] and_18_s2 = mux_3_s2[30:1] & not_15_s2[29:0];  // units/restart_trail.h:87
+  wire [30:0] and_19_s2 = mux_4_s2 & {not_15_s2[30], and_18_s2};  // units/restart_trail.h:66
+  wire [29:0] or_8_s2 = not_15_s2[30:1] | mux_3_s2[29:0];  // units/restart_trail.h:67
   wire [30:0] or_9_s2 = mux_4_s2 | (~{31{mux_3_s2[0]}} & {not_15_s2[30], and_18_s2});
   wire [30:0] and_21_s2 = mux_4_s2 & (~{31{and_20_s2}} | {mux_3_s2[30], or_8_s2});
   wire [30:0] mux_32_s2 = {and_20_s2 | mux_3_s2[30], and_20_s2 ? mux_3_s2[30:1] : mux_3_s2[29:0]};
@@ -269,13 +269,13 @@ module node_fetch #(
   wire finished_s3 = (~(and_3_s3 == 31'd0)) & (~(state_alive_3_s3 == 8'd0));  // units/node_fetch.h:117
   wire [1:0] mux_16_s3 = and_6_s3 ? add_1_s3 : mux_1_s3;
   wire [1:0] mux_20_s3 = or_5_s3 ? (or_6_s3 ? mux_18_s3 : (mux_1_s3 + {1'd0, full_s3})) : (finished_s3 ? (is_lost_s3 ? mux_1_s3 : add_1_s3) : mux_1_s3);
-  wire [30:0] less_s3 = and_3_s3 + 31'h7fffffff;  // units/restart_trail.h:82
-  wire [30:0] xor_1_s3 = and_3_s3 ^ less_s3;  // units/restart_trail.h:86
-  wire [30:0] not_14_s3 = ~{1'd0, xor_1_s3[30:1]};  // units/restart_trail.h:86
-  wire [2:0] add_3_s3 = mux_2_s3[10:8] + 3'd7;  // units/restart_trail.h:87
-  wire eq_6_s3 = and_19_s3 == 31'd0;  // units/restart_trail.h:73
-  wire [10:0] mux_25_s3 = {eq_6_s3 ? mux_2_s3[10:8] : mux_2_s3[10:8], {8{eq_6_s3}} & mux_2_s3[7:0]};  // units/restart_trail.h:73
-  wire eq_7_s3 = mux_2_s3[10:8] == 3'd4;  // units/restart_trail.h:68
+  wire [30:0] less_s3 = and_3_s3 + 31'h7fffffff;  // units/restart_trail.h:75
+  wire [30:0] xor_1_s3 = and_3_s3 ^ less_s3;  // units/restart_trail.h:79
+  wire [30:0] not_14_s3 = ~{1'd0, xor_1_s3[30:1]};  // units/restart_trail.h:79
+  wire [2:0] add_3_s3 = mux_2_s3[10:8] + 3'd7;  // units/restart_trail.h:80
+  wire eq_6_s3 = and_19_s3 == 31'd0;  // units/restart_trail.h:66
+  wire [10:0] mux_25_s3 = {eq_6_s3 ? mux_2_s3[10:8] : mux_2_s3[10:8], {8{eq_6_s3}} & mux_2_s3[7:0]};  // units/restart_trail.h:66
+  wire eq_7_s3 = mux_2_s3[10:8] == 3'd4;  // units/restart_trail.h:61
   wire [2:0] add_4_s3 = mux_2_s3[10:8] + 3'd1;
   wire [30:0] mux_29_s3 = event_7_s3 ? (is_lost_s3 ? and_3_s3 : (and_3_s3 & less_s3)) : or_9_s3;
   wire [30:0] mux_31_s3 = {~mux_3_s3[0] | mux_3_s3[30], mux_3_s3[0] ? mux_3_s3[29:0] : mux_3_s3[30:1]};
@@ -351,10 +351,10 @@ module node_fetch #(
   wire [7:0] context_both_s4 = stack_row[34:27];
   wire [30:0] mux_30_s4 = event_8_s4 ? mux_29_s4 : and_21_s4;
   wire [30:0] mux_34_s4 = event_8_s4 ? mux_33_s4 : mux_32_s4;
-  wire [30:0] not_16_s4 = ~mux_34_s4;  // units/restart_trail.h:99
-  wire [29:0] and_23_s4 = mux_34_s4[30:1] & not_16_s4[29:0];  // units/restart_trail.h:99
-  wire [30:0] waits_s4 = mux_30_s4 & {not_16_s4[30], and_23_s4};  // units/restart_trail.h:60
-  wire is_last_s4 = ((~mux_34_s4[30:1]) & mux_30_s4[29:0]) == 30'd0;  // units/restart_trail.h:61
+  wire [30:0] not_16_s4 = ~mux_34_s4;  // units/restart_trail.h:87
+  wire [29:0] and_23_s4 = mux_34_s4[30:1] & not_16_s4[29:0];  // units/restart_trail.h:87
+  wire [30:0] waits_s4 = mux_30_s4 & {not_16_s4[30], and_23_s4};  // units/restart_trail.h:53
+  wire is_last_s4 = ((~mux_34_s4[30:1]) & mux_30_s4[29:0]) == 30'd0;  // units/restart_trail.h:54
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -426,10 +426,10 @@ module node_fetch #(
   wire [7:0] context_active_s5 = enter_s5 ? e_active_s5 : (and_6_s5 ? active_s5 : e_active_s5);
   wire [1:0] mux_17_s5 = ~{2{enter_s5}} & mux_16_s5;
   wire [18:0] mux_22_s5 = enter_s5 ? e_next_s5 : (and_6_s5 ? address_s5 : e_next_s5);
-  wire eq_8_s5 = waits_s5 == 31'd0;  // units/restart_trail.h:60
-  wire waits_2_s5 = ~eq_8_s5;  // units/restart_trail.h:60
-  wire and_26_s5 = waits_2_s5 & (mux_37_s5 & is_last_s5);  // units/restart_trail.h:62
-  wire and_27_s5 = mux_37_s5 & eq_8_s5;  // units/restart_trail.h:62
+  wire eq_8_s5 = waits_s5 == 31'd0;  // units/restart_trail.h:53
+  wire waits_2_s5 = ~eq_8_s5;  // units/restart_trail.h:53
+  wire and_26_s5 = waits_2_s5 & (mux_37_s5 & is_last_s5);  // units/restart_trail.h:55
+  wire and_27_s5 = mux_37_s5 & eq_8_s5;  // units/restart_trail.h:55
 
   // ---- stage 6 ----
   reg valid_s6;

@@ -92,7 +92,7 @@ module packet_decoder #(
   end
   reg  [2:0] spacing_last_q;
   reg  [2:0] spacing_before_q;
-  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/packet_decoder.h:137
+  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/packet_decoder.h:124
   wire eq_1_s2 = spacing_last_q == in_ray_s2;  // units/lane_spacing.h:19
   wire eq_2_s2 = spacing_before_q == in_ray_s2;  // units/lane_spacing.h:20
   wire not_3_s2 = ~in_point_s2;
@@ -136,29 +136,29 @@ module packet_decoder #(
     record_2_s3 <= record_2_s2;
   end
   reg  [1:0] spacing_any_q;
-  wire level_s3 = {record_1_s3, record_0_s3} == 2'd1;  // units/packet_decoder.h:62
+  wire level_s3 = {record_1_s3, record_0_s3} == 2'd1;  // units/packet_decoder.h:58
   wire is_last_s3 = spacing_any_q[0] & eq_1_s3;  // units/lane_spacing.h:19
   wire is_before_s3 = spacing_any_q[1] & eq_2_s3;  // units/lane_spacing.h:20
   wire follows_s3 = spacing_any_q[0] & (~(is_last_s3 | is_before_s3));  // units/lane_spacing.h:23
-  wire [1:0] mux_1_s3 = {is_last_s3 ? 1'd1 : 1'd0, ~is_last_s3 & is_before_s3};  // units/packet_decoder.h:97
+  wire [1:0] mux_1_s3 = {is_last_s3 ? 1'd1 : 1'd0, ~is_last_s3 & is_before_s3};  // units/packet_decoder.h:89
   wire and_1_s3 = in_point_s3 & camera_s3;
   wire [1:0] mux_6_s3 = {record_1_s3 ? spacing_any_q[1] : follows_s3, ~record_1_s3 | spacing_any_q[0]};
   reg  [23:0] camera_origin_x_q;
-  wire [23:0] mux_8_s3 = and_1_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/packet_decoder.h:139
-  wire or_2_s3 = camera_s3 | not_3_s3;  // units/packet_decoder.h:140
+  wire [23:0] mux_8_s3 = and_1_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/packet_decoder.h:126
+  wire or_2_s3 = camera_s3 | not_3_s3;  // units/packet_decoder.h:127
   reg  [23:0] origin_x_q;
-  wire [23:0] mux_9_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/packet_decoder.h:140
-  wire [23:0] mux_10_s3 = camera_s3 ? mux_8_s3 : mux_9_s3;  // units/packet_decoder.h:141
+  wire [23:0] mux_9_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/packet_decoder.h:127
+  wire [23:0] mux_10_s3 = camera_s3 ? mux_8_s3 : mux_9_s3;  // units/packet_decoder.h:128
   reg  [23:0] camera_origin_y_q;
-  wire [23:0] mux_11_s3 = and_1_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/packet_decoder.h:139
+  wire [23:0] mux_11_s3 = and_1_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/packet_decoder.h:126
   reg  [23:0] origin_y_q;
-  wire [23:0] mux_12_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/packet_decoder.h:140
-  wire [23:0] mux_13_s3 = camera_s3 ? mux_11_s3 : mux_12_s3;  // units/packet_decoder.h:141
+  wire [23:0] mux_12_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/packet_decoder.h:127
+  wire [23:0] mux_13_s3 = camera_s3 ? mux_11_s3 : mux_12_s3;  // units/packet_decoder.h:128
   reg  [23:0] camera_origin_z_q;
-  wire [23:0] mux_14_s3 = and_1_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/packet_decoder.h:139
+  wire [23:0] mux_14_s3 = and_1_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/packet_decoder.h:126
   reg  [23:0] origin_z_q;
-  wire [23:0] mux_15_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/packet_decoder.h:140
-  wire [23:0] mux_16_s3 = camera_s3 ? mux_14_s3 : mux_15_s3;  // units/packet_decoder.h:141
+  wire [23:0] mux_15_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/packet_decoder.h:127
+  wire [23:0] mux_16_s3 = camera_s3 ? mux_14_s3 : mux_15_s3;  // units/packet_decoder.h:128
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin

@@ -48,7 +48,7 @@ module packet_mailbox #(
   wire frame_210_config = frame_i[210];
   reg  frame_210_still;
   always @(posedge clk_i) frame_210_still <= frame_210_config;
-  wire not_5_config = ~frame_210_config;  // units/packet.h:192
+  wire not_5_config = ~frame_210_config;  // units/packet.h:157
   reg  not_5_still;
   always @(posedge clk_i) not_5_still <= not_5_config;
 

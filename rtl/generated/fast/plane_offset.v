@@ -86,7 +86,7 @@ module plane_offset #(
     step_in_48_s2 <= step_in_48_s1;
     step_in_55_s2 <= step_in_55_s1;
   end
-  wire [23:0] start_s2 = step_in_31_s2 ? from_z_s2 : (step_in_30_s2 ? from_y_s2 : origin_0_s2);  // units/memory_format.h:103
+  wire [23:0] start_s2 = step_in_31_s2 ? from_z_s2 : (step_in_30_s2 ? from_y_s2 : origin_0_s2);  // units/memory_format.h:104
 
   // ---- stage 3 ----
   reg valid_s3;

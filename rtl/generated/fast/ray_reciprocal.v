@@ -77,31 +77,31 @@ module ray_reciprocal #(
   wire traced_134_s0 = traced_data_i[134];
   wire traced_135_s0 = traced_data_i[135];
   wire traced_136_s0 = traced_data_i[136];
-  wire [8:0] mux_1_s0 = traced_136_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:45
-  wire [12:0] mux_2_s0 = {{4{traced_135_s0}} & mux_1_s0[8:5], traced_135_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{traced_135_s0}} & mux_1_s0[3:0]};  // units/ray_reciprocal.h:45
-  wire [14:0] mux_3_s0 = {{2{traced_134_s0}} & mux_2_s0[12:11], traced_134_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{traced_134_s0}} & mux_2_s0[1:0]};  // units/ray_reciprocal.h:45
-  wire [15:0] mux_4_s0 = {traced_133_s0 & mux_3_s0[14], traced_133_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~traced_133_s0 & mux_3_s0[0]};  // units/ray_reciprocal.h:45
-  wire lt_1_s0 = 16'h6fff < {traced_136_s0, traced_135_s0, traced_134_s0, traced_133_s0, traced_126_s0, traced_121_s0};  // units/ray_reciprocal.h:45
-  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire not_1_s0 = ~eq_5_s0;  // units/ray_reciprocal.h:45
-  wire not_2_s0 = ~eq_4_s0;  // units/ray_reciprocal.h:45
-  wire not_3_s0 = ~eq_3_s0;  // units/ray_reciprocal.h:45
-  wire not_4_s0 = ~eq_2_s0;  // units/ray_reciprocal.h:45
-  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:45
-  wire not_6_s0 = ~lt_1_s0;  // units/ray_reciprocal.h:45
-  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
-  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:45
-  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
+  wire [8:0] mux_1_s0 = traced_136_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
+  wire [12:0] mux_2_s0 = {{4{traced_135_s0}} & mux_1_s0[8:5], traced_135_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{traced_135_s0}} & mux_1_s0[3:0]};  // units/ray_reciprocal.h:43
+  wire [14:0] mux_3_s0 = {{2{traced_134_s0}} & mux_2_s0[12:11], traced_134_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{traced_134_s0}} & mux_2_s0[1:0]};  // units/ray_reciprocal.h:43
+  wire [15:0] mux_4_s0 = {traced_133_s0 & mux_3_s0[14], traced_133_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~traced_133_s0 & mux_3_s0[0]};  // units/ray_reciprocal.h:43
+  wire lt_1_s0 = 16'h6fff < {traced_136_s0, traced_135_s0, traced_134_s0, traced_133_s0, traced_126_s0, traced_121_s0};  // units/ray_reciprocal.h:43
+  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire not_1_s0 = ~eq_5_s0;  // units/ray_reciprocal.h:43
+  wire not_2_s0 = ~eq_4_s0;  // units/ray_reciprocal.h:43
+  wire not_3_s0 = ~eq_3_s0;  // units/ray_reciprocal.h:43
+  wire not_4_s0 = ~eq_2_s0;  // units/ray_reciprocal.h:43
+  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
+  wire not_6_s0 = ~lt_1_s0;  // units/ray_reciprocal.h:43
+  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
+  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
   wire [6:0] traced_137_s0 = traced_data_i[143:137];
   wire [4:0] traced_145_s0 = traced_data_i[149:145];
   wire [6:0] traced_150_s0 = traced_data_i[156:150];
@@ -109,31 +109,31 @@ module ray_reciprocal #(
   wire traced_158_s0 = traced_data_i[158];
   wire traced_159_s0 = traced_data_i[159];
   wire traced_160_s0 = traced_data_i[160];
-  wire [8:0] mux_6_s0 = traced_160_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:45
-  wire [12:0] mux_7_s0 = {{4{traced_159_s0}} & mux_6_s0[8:5], traced_159_s0 ? mux_6_s0[4:0] : mux_6_s0[8:4], ~{4{traced_159_s0}} & mux_6_s0[3:0]};  // units/ray_reciprocal.h:45
-  wire [14:0] mux_8_s0 = {{2{traced_158_s0}} & mux_7_s0[12:11], traced_158_s0 ? mux_7_s0[10:0] : mux_7_s0[12:2], ~{2{traced_158_s0}} & mux_7_s0[1:0]};  // units/ray_reciprocal.h:45
-  wire [15:0] mux_9_s0 = {traced_157_s0 & mux_8_s0[14], traced_157_s0 ? mux_8_s0[13:0] : mux_8_s0[14:1], ~traced_157_s0 & mux_8_s0[0]};  // units/ray_reciprocal.h:45
-  wire lt_4_s0 = 16'h6fff < {traced_160_s0, traced_159_s0, traced_158_s0, traced_157_s0, traced_150_s0, traced_145_s0};  // units/ray_reciprocal.h:45
-  wire eq_19_s0 = {mux_9_s0[9:7], 3'd0, mux_9_s0[3], 2'd0, mux_9_s0[0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_20_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7], 2'd0, mux_9_s0[4], 2'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_21_s0 = {mux_9_s0[14:13], 1'd0, mux_9_s0[11:10], 1'd0, mux_9_s0[8:7], 1'd0, mux_9_s0[5:3], 1'd0, mux_9_s0[1]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_22_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 2'd0, mux_9_s0[10:8], 2'd0, mux_9_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire not_19_s0 = ~eq_22_s0;  // units/ray_reciprocal.h:45
-  wire not_20_s0 = ~eq_21_s0;  // units/ray_reciprocal.h:45
-  wire not_21_s0 = ~eq_20_s0;  // units/ray_reciprocal.h:45
-  wire not_22_s0 = ~eq_19_s0;  // units/ray_reciprocal.h:45
-  wire not_23_s0 = ~({mux_9_s0[15:7], 4'd0, mux_9_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:45
-  wire not_24_s0 = ~lt_4_s0;  // units/ray_reciprocal.h:45
-  wire eq_23_s0 = {mux_9_s0[9:6], 3'd0, mux_9_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_24_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7:6], 2'd0, mux_9_s0[3], 1'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_25_s0 = {mux_9_s0[14:13], 2'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6], 1'd0, mux_9_s0[4], 3'd0, mux_9_s0[0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_26_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 1'd0, mux_9_s0[11:10], 5'd0, mux_9_s0[4:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
-  wire eq_27_s0 = {mux_9_s0[12:11], 1'd0, mux_9_s0[9:5], 1'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_28_s0 = {mux_9_s0[13], 1'd0, mux_9_s0[11:9], 5'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_29_s0 = {mux_9_s0[11], 1'd0, mux_9_s0[9:8], 2'd0, mux_9_s0[5:4], 2'd0, mux_9_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:45
-  wire eq_30_s0 = {mux_9_s0[14], 3'd0, mux_9_s0[10:9], 3'd0, mux_9_s0[5], 1'd0, mux_9_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_31_s0 = {mux_9_s0[14:10], 4'd0, mux_9_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_32_s0 = {mux_9_s0[15:12], 1'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
+  wire [8:0] mux_6_s0 = traced_160_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
+  wire [12:0] mux_7_s0 = {{4{traced_159_s0}} & mux_6_s0[8:5], traced_159_s0 ? mux_6_s0[4:0] : mux_6_s0[8:4], ~{4{traced_159_s0}} & mux_6_s0[3:0]};  // units/ray_reciprocal.h:43
+  wire [14:0] mux_8_s0 = {{2{traced_158_s0}} & mux_7_s0[12:11], traced_158_s0 ? mux_7_s0[10:0] : mux_7_s0[12:2], ~{2{traced_158_s0}} & mux_7_s0[1:0]};  // units/ray_reciprocal.h:43
+  wire [15:0] mux_9_s0 = {traced_157_s0 & mux_8_s0[14], traced_157_s0 ? mux_8_s0[13:0] : mux_8_s0[14:1], ~traced_157_s0 & mux_8_s0[0]};  // units/ray_reciprocal.h:43
+  wire lt_4_s0 = 16'h6fff < {traced_160_s0, traced_159_s0, traced_158_s0, traced_157_s0, traced_150_s0, traced_145_s0};  // units/ray_reciprocal.h:43
+  wire eq_19_s0 = {mux_9_s0[9:7], 3'd0, mux_9_s0[3], 2'd0, mux_9_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_20_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7], 2'd0, mux_9_s0[4], 2'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_21_s0 = {mux_9_s0[14:13], 1'd0, mux_9_s0[11:10], 1'd0, mux_9_s0[8:7], 1'd0, mux_9_s0[5:3], 1'd0, mux_9_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_22_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 2'd0, mux_9_s0[10:8], 2'd0, mux_9_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire not_19_s0 = ~eq_22_s0;  // units/ray_reciprocal.h:43
+  wire not_20_s0 = ~eq_21_s0;  // units/ray_reciprocal.h:43
+  wire not_21_s0 = ~eq_20_s0;  // units/ray_reciprocal.h:43
+  wire not_22_s0 = ~eq_19_s0;  // units/ray_reciprocal.h:43
+  wire not_23_s0 = ~({mux_9_s0[15:7], 4'd0, mux_9_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
+  wire not_24_s0 = ~lt_4_s0;  // units/ray_reciprocal.h:43
+  wire eq_23_s0 = {mux_9_s0[9:6], 3'd0, mux_9_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_24_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7:6], 2'd0, mux_9_s0[3], 1'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_25_s0 = {mux_9_s0[14:13], 2'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6], 1'd0, mux_9_s0[4], 3'd0, mux_9_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_26_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 1'd0, mux_9_s0[11:10], 5'd0, mux_9_s0[4:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire eq_27_s0 = {mux_9_s0[12:11], 1'd0, mux_9_s0[9:5], 1'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_28_s0 = {mux_9_s0[13], 1'd0, mux_9_s0[11:9], 5'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_29_s0 = {mux_9_s0[11], 1'd0, mux_9_s0[9:8], 2'd0, mux_9_s0[5:4], 2'd0, mux_9_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
+  wire eq_30_s0 = {mux_9_s0[14], 3'd0, mux_9_s0[10:9], 3'd0, mux_9_s0[5], 1'd0, mux_9_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_31_s0 = {mux_9_s0[14:10], 4'd0, mux_9_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_32_s0 = {mux_9_s0[15:12], 1'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
   wire [6:0] traced_161_s0 = traced_data_i[167:161];
   wire [4:0] traced_169_s0 = traced_data_i[173:169];
   wire [6:0] traced_174_s0 = traced_data_i[180:174];
@@ -141,33 +141,33 @@ module ray_reciprocal #(
   wire traced_182_s0 = traced_data_i[182];
   wire traced_183_s0 = traced_data_i[183];
   wire traced_184_s0 = traced_data_i[184];
-  wire [8:0] mux_11_s0 = traced_184_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:45
-  wire [12:0] mux_12_s0 = {{4{traced_183_s0}} & mux_11_s0[8:5], traced_183_s0 ? mux_11_s0[4:0] : mux_11_s0[8:4], ~{4{traced_183_s0}} & mux_11_s0[3:0]};  // units/ray_reciprocal.h:45
-  wire [14:0] mux_13_s0 = {{2{traced_182_s0}} & mux_12_s0[12:11], traced_182_s0 ? mux_12_s0[10:0] : mux_12_s0[12:2], ~{2{traced_182_s0}} & mux_12_s0[1:0]};  // units/ray_reciprocal.h:45
-  wire [15:0] mux_14_s0 = {traced_181_s0 & mux_13_s0[14], traced_181_s0 ? mux_13_s0[13:0] : mux_13_s0[14:1], ~traced_181_s0 & mux_13_s0[0]};  // units/ray_reciprocal.h:45
-  wire lt_7_s0 = 16'h6fff < {traced_184_s0, traced_183_s0, traced_182_s0, traced_181_s0, traced_174_s0, traced_169_s0};  // units/ray_reciprocal.h:45
-  wire eq_36_s0 = {mux_14_s0[9:7], 3'd0, mux_14_s0[3], 2'd0, mux_14_s0[0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_37_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7], 2'd0, mux_14_s0[4], 2'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_38_s0 = {mux_14_s0[14:13], 1'd0, mux_14_s0[11:10], 1'd0, mux_14_s0[8:7], 1'd0, mux_14_s0[5:3], 1'd0, mux_14_s0[1]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_39_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 2'd0, mux_14_s0[10:8], 2'd0, mux_14_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire not_37_s0 = ~eq_39_s0;  // units/ray_reciprocal.h:45
-  wire not_38_s0 = ~eq_38_s0;  // units/ray_reciprocal.h:45
-  wire not_39_s0 = ~eq_37_s0;  // units/ray_reciprocal.h:45
-  wire not_40_s0 = ~eq_36_s0;  // units/ray_reciprocal.h:45
-  wire not_41_s0 = ~({mux_14_s0[15:7], 4'd0, mux_14_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:45
-  wire not_42_s0 = ~lt_7_s0;  // units/ray_reciprocal.h:45
-  wire eq_40_s0 = {mux_14_s0[9:6], 3'd0, mux_14_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:45
-  wire eq_41_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7:6], 2'd0, mux_14_s0[3], 1'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_42_s0 = {mux_14_s0[14:13], 2'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6], 1'd0, mux_14_s0[4], 3'd0, mux_14_s0[0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_43_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 1'd0, mux_14_s0[11:10], 5'd0, mux_14_s0[4:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
-  wire eq_44_s0 = {mux_14_s0[12:11], 1'd0, mux_14_s0[9:5], 1'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_45_s0 = {mux_14_s0[13], 1'd0, mux_14_s0[11:9], 5'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 14'd0;  // units/ray_reciprocal.h:45
-  wire eq_46_s0 = {mux_14_s0[11], 1'd0, mux_14_s0[9:8], 2'd0, mux_14_s0[5:4], 2'd0, mux_14_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:45
-  wire eq_47_s0 = {mux_14_s0[14], 3'd0, mux_14_s0[10:9], 3'd0, mux_14_s0[5], 1'd0, mux_14_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:45
-  wire eq_48_s0 = {mux_14_s0[14:10], 4'd0, mux_14_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:45
-  wire eq_49_s0 = {mux_14_s0[15:12], 1'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:45
+  wire [8:0] mux_11_s0 = traced_184_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
+  wire [12:0] mux_12_s0 = {{4{traced_183_s0}} & mux_11_s0[8:5], traced_183_s0 ? mux_11_s0[4:0] : mux_11_s0[8:4], ~{4{traced_183_s0}} & mux_11_s0[3:0]};  // units/ray_reciprocal.h:43
+  wire [14:0] mux_13_s0 = {{2{traced_182_s0}} & mux_12_s0[12:11], traced_182_s0 ? mux_12_s0[10:0] : mux_12_s0[12:2], ~{2{traced_182_s0}} & mux_12_s0[1:0]};  // units/ray_reciprocal.h:43
+  wire [15:0] mux_14_s0 = {traced_181_s0 & mux_13_s0[14], traced_181_s0 ? mux_13_s0[13:0] : mux_13_s0[14:1], ~traced_181_s0 & mux_13_s0[0]};  // units/ray_reciprocal.h:43
+  wire lt_7_s0 = 16'h6fff < {traced_184_s0, traced_183_s0, traced_182_s0, traced_181_s0, traced_174_s0, traced_169_s0};  // units/ray_reciprocal.h:43
+  wire eq_36_s0 = {mux_14_s0[9:7], 3'd0, mux_14_s0[3], 2'd0, mux_14_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_37_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7], 2'd0, mux_14_s0[4], 2'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_38_s0 = {mux_14_s0[14:13], 1'd0, mux_14_s0[11:10], 1'd0, mux_14_s0[8:7], 1'd0, mux_14_s0[5:3], 1'd0, mux_14_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_39_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 2'd0, mux_14_s0[10:8], 2'd0, mux_14_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire not_37_s0 = ~eq_39_s0;  // units/ray_reciprocal.h:43
+  wire not_38_s0 = ~eq_38_s0;  // units/ray_reciprocal.h:43
+  wire not_39_s0 = ~eq_37_s0;  // units/ray_reciprocal.h:43
+  wire not_40_s0 = ~eq_36_s0;  // units/ray_reciprocal.h:43
+  wire not_41_s0 = ~({mux_14_s0[15:7], 4'd0, mux_14_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
+  wire not_42_s0 = ~lt_7_s0;  // units/ray_reciprocal.h:43
+  wire eq_40_s0 = {mux_14_s0[9:6], 3'd0, mux_14_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
+  wire eq_41_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7:6], 2'd0, mux_14_s0[3], 1'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_42_s0 = {mux_14_s0[14:13], 2'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6], 1'd0, mux_14_s0[4], 3'd0, mux_14_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_43_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 1'd0, mux_14_s0[11:10], 5'd0, mux_14_s0[4:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire eq_44_s0 = {mux_14_s0[12:11], 1'd0, mux_14_s0[9:5], 1'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_45_s0 = {mux_14_s0[13], 1'd0, mux_14_s0[11:9], 5'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
+  wire eq_46_s0 = {mux_14_s0[11], 1'd0, mux_14_s0[9:8], 2'd0, mux_14_s0[5:4], 2'd0, mux_14_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
+  wire eq_47_s0 = {mux_14_s0[14], 3'd0, mux_14_s0[10:9], 3'd0, mux_14_s0[5], 1'd0, mux_14_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
+  wire eq_48_s0 = {mux_14_s0[14:10], 4'd0, mux_14_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
+  wire eq_49_s0 = {mux_14_s0[15:12], 1'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
   wire [6:0] traced_185_s0 = traced_data_i[191:185];
-  wire not_57_s0 = ~j_job_is_new_s0;  // units/packet.h:277
+  wire not_57_s0 = ~j_job_is_new_s0;  // units/packet.h:242
   wire [18:0] j_job_ray_root_s0 = traced_data_i[47:29];
   wire traced_192_s0 = traced_data_i[192];
   wire traced_168_s0 = traced_data_i[168];
@@ -344,9 +344,9 @@ module ray_reciprocal #(
     traced_144_s1 <= traced_144_s0;
     j_job_ray_active_s1 <= j_job_ray_active_s0;
   end
-  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * traced_126_s1;  // units/ray_reciprocal.h:45
-  wire [12:0] mul_5_s1 = {not_24_s1, not_23_s1, not_22_s1, not_21_s1, not_20_s1, not_19_s1} * traced_150_s1;  // units/ray_reciprocal.h:45
-  wire [12:0] mul_9_s1 = {not_42_s1, not_41_s1, not_40_s1, not_39_s1, not_38_s1, not_37_s1} * traced_174_s1;  // units/ray_reciprocal.h:45
+  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * traced_126_s1;  // units/ray_reciprocal.h:43
+  wire [12:0] mul_5_s1 = {not_24_s1, not_23_s1, not_22_s1, not_21_s1, not_20_s1, not_19_s1} * traced_150_s1;  // units/ray_reciprocal.h:43
+  wire [12:0] mul_9_s1 = {not_42_s1, not_41_s1, not_40_s1, not_39_s1, not_38_s1, not_37_s1} * traced_174_s1;  // units/ray_reciprocal.h:43
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -455,45 +455,45 @@ module ray_reciprocal #(
     eq_48_s2 <= eq_48_s1;
     eq_49_s2 <= eq_49_s1;
   end
-  wire lt_2_s2 = 16'h5fff < {traced_136_s2, traced_135_s2, traced_134_s2, traced_133_s2, traced_126_s2, traced_121_s2};  // units/ray_reciprocal.h:45
-  wire not_7_s2 = ~eq_15_s2;  // units/ray_reciprocal.h:45
-  wire not_8_s2 = ~eq_14_s2;  // units/ray_reciprocal.h:45
-  wire not_9_s2 = ~eq_13_s2;  // units/ray_reciprocal.h:45
-  wire not_10_s2 = ~eq_12_s2;  // units/ray_reciprocal.h:45
-  wire not_11_s2 = ~eq_11_s2;  // units/ray_reciprocal.h:45
-  wire not_12_s2 = ~eq_10_s2;  // units/ray_reciprocal.h:45
-  wire not_13_s2 = ~eq_9_s2;  // units/ray_reciprocal.h:45
-  wire not_14_s2 = ~eq_8_s2;  // units/ray_reciprocal.h:45
-  wire not_15_s2 = ~eq_7_s2;  // units/ray_reciprocal.h:45
-  wire not_16_s2 = ~eq_6_s2;  // units/ray_reciprocal.h:45
-  wire not_17_s2 = ~lt_2_s2;  // units/ray_reciprocal.h:45
-  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/ray_reciprocal.h:45
-  wire lt_5_s2 = 16'h5fff < {traced_160_s2, traced_159_s2, traced_158_s2, traced_157_s2, traced_150_s2, traced_145_s2};  // units/ray_reciprocal.h:45
-  wire not_25_s2 = ~eq_32_s2;  // units/ray_reciprocal.h:45
-  wire not_26_s2 = ~eq_31_s2;  // units/ray_reciprocal.h:45
-  wire not_27_s2 = ~eq_30_s2;  // units/ray_reciprocal.h:45
-  wire not_28_s2 = ~eq_29_s2;  // units/ray_reciprocal.h:45
-  wire not_29_s2 = ~eq_28_s2;  // units/ray_reciprocal.h:45
-  wire not_30_s2 = ~eq_27_s2;  // units/ray_reciprocal.h:45
-  wire not_31_s2 = ~eq_26_s2;  // units/ray_reciprocal.h:45
-  wire not_32_s2 = ~eq_25_s2;  // units/ray_reciprocal.h:45
-  wire not_33_s2 = ~eq_24_s2;  // units/ray_reciprocal.h:45
-  wire not_34_s2 = ~eq_23_s2;  // units/ray_reciprocal.h:45
-  wire not_35_s2 = ~lt_5_s2;  // units/ray_reciprocal.h:45
-  wire [11:0] sub_4_s2 = {1'd1, not_35_s2, not_34_s2, not_33_s2, not_32_s2, not_31_s2, not_30_s2, not_29_s2, not_28_s2, not_27_s2, not_26_s2, not_25_s2} - {4'd0, mul_5_s2};  // units/ray_reciprocal.h:45
-  wire lt_8_s2 = 16'h5fff < {traced_184_s2, traced_183_s2, traced_182_s2, traced_181_s2, traced_174_s2, traced_169_s2};  // units/ray_reciprocal.h:45
-  wire not_43_s2 = ~eq_49_s2;  // units/ray_reciprocal.h:45
-  wire not_44_s2 = ~eq_48_s2;  // units/ray_reciprocal.h:45
-  wire not_45_s2 = ~eq_47_s2;  // units/ray_reciprocal.h:45
-  wire not_46_s2 = ~eq_46_s2;  // units/ray_reciprocal.h:45
-  wire not_47_s2 = ~eq_45_s2;  // units/ray_reciprocal.h:45
-  wire not_48_s2 = ~eq_44_s2;  // units/ray_reciprocal.h:45
-  wire not_49_s2 = ~eq_43_s2;  // units/ray_reciprocal.h:45
-  wire not_50_s2 = ~eq_42_s2;  // units/ray_reciprocal.h:45
-  wire not_51_s2 = ~eq_41_s2;  // units/ray_reciprocal.h:45
-  wire not_52_s2 = ~eq_40_s2;  // units/ray_reciprocal.h:45
-  wire not_53_s2 = ~lt_8_s2;  // units/ray_reciprocal.h:45
-  wire [11:0] sub_7_s2 = {1'd1, not_53_s2, not_52_s2, not_51_s2, not_50_s2, not_49_s2, not_48_s2, not_47_s2, not_46_s2, not_45_s2, not_44_s2, not_43_s2} - {4'd0, mul_9_s2};  // units/ray_reciprocal.h:45
+  wire lt_2_s2 = 16'h5fff < {traced_136_s2, traced_135_s2, traced_134_s2, traced_133_s2, traced_126_s2, traced_121_s2};  // units/ray_reciprocal.h:43
+  wire not_7_s2 = ~eq_15_s2;  // units/ray_reciprocal.h:43
+  wire not_8_s2 = ~eq_14_s2;  // units/ray_reciprocal.h:43
+  wire not_9_s2 = ~eq_13_s2;  // units/ray_reciprocal.h:43
+  wire not_10_s2 = ~eq_12_s2;  // units/ray_reciprocal.h:43
+  wire not_11_s2 = ~eq_11_s2;  // units/ray_reciprocal.h:43
+  wire not_12_s2 = ~eq_10_s2;  // units/ray_reciprocal.h:43
+  wire not_13_s2 = ~eq_9_s2;  // units/ray_reciprocal.h:43
+  wire not_14_s2 = ~eq_8_s2;  // units/ray_reciprocal.h:43
+  wire not_15_s2 = ~eq_7_s2;  // units/ray_reciprocal.h:43
+  wire not_16_s2 = ~eq_6_s2;  // units/ray_reciprocal.h:43
+  wire not_17_s2 = ~lt_2_s2;  // units/ray_reciprocal.h:43
+  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/ray_reciprocal.h:43
+  wire lt_5_s2 = 16'h5fff < {traced_160_s2, traced_159_s2, traced_158_s2, traced_157_s2, traced_150_s2, traced_145_s2};  // units/ray_reciprocal.h:43
+  wire not_25_s2 = ~eq_32_s2;  // units/ray_reciprocal.h:43
+  wire not_26_s2 = ~eq_31_s2;  // units/ray_reciprocal.h:43
+  wire not_27_s2 = ~eq_30_s2;  // units/ray_reciprocal.h:43
+  wire not_28_s2 = ~eq_29_s2;  // units/ray_reciprocal.h:43
+  wire not_29_s2 = ~eq_28_s2;  // units/ray_reciprocal.h:43
+  wire not_30_s2 = ~eq_27_s2;  // units/ray_reciprocal.h:43
+  wire not_31_s2 = ~eq_26_s2;  // units/ray_reciprocal.h:43
+  wire not_32_s2 = ~eq_25_s2;  // units/ray_reciprocal.h:43
+  wire not_33_s2 = ~eq_24_s2;  // units/ray_reciprocal.h:43
+  wire not_34_s2 = ~eq_23_s2;  // units/ray_reciprocal.h:43
+  wire not_35_s2 = ~lt_5_s2;  // units/ray_reciprocal.h:43
+  wire [11:0] sub_4_s2 = {1'd1, not_35_s2, not_34_s2, not_33_s2, not_32_s2, not_31_s2, not_30_s2, not_29_s2, not_28_s2, not_27_s2, not_26_s2, not_25_s2} - {4'd0, mul_5_s2};  // units/ray_reciprocal.h:43
+  wire lt_8_s2 = 16'h5fff < {traced_184_s2, traced_183_s2, traced_182_s2, traced_181_s2, traced_174_s2, traced_169_s2};  // units/ray_reciprocal.h:43
+  wire not_43_s2 = ~eq_49_s2;  // units/ray_reciprocal.h:43
+  wire not_44_s2 = ~eq_48_s2;  // units/ray_reciprocal.h:43
+  wire not_45_s2 = ~eq_47_s2;  // units/ray_reciprocal.h:43
+  wire not_46_s2 = ~eq_46_s2;  // units/ray_reciprocal.h:43
+  wire not_47_s2 = ~eq_45_s2;  // units/ray_reciprocal.h:43
+  wire not_48_s2 = ~eq_44_s2;  // units/ray_reciprocal.h:43
+  wire not_49_s2 = ~eq_43_s2;  // units/ray_reciprocal.h:43
+  wire not_50_s2 = ~eq_42_s2;  // units/ray_reciprocal.h:43
+  wire not_51_s2 = ~eq_41_s2;  // units/ray_reciprocal.h:43
+  wire not_52_s2 = ~eq_40_s2;  // units/ray_reciprocal.h:43
+  wire not_53_s2 = ~lt_8_s2;  // units/ray_reciprocal.h:43
+  wire [11:0] sub_7_s2 = {1'd1, not_53_s2, not_52_s2, not_51_s2, not_50_s2, not_49_s2, not_48_s2, not_47_s2, not_46_s2, not_45_s2, not_44_s2, not_43_s2} - {4'd0, mul_9_s2};  // units/ray_reciprocal.h:43
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -542,9 +542,9 @@ module ray_reciprocal #(
     traced_184_s3 <= traced_184_s2;
     sub_7_s3 <= sub_7_s2;
   end
-  wire [19:0] mul_2_s3 = {1'd1, traced_136_s3, traced_135_s3, traced_134_s3, traced_133_s3, traced_126_s3, traced_121_s3} * sub_1_s3;  // units/ray_reciprocal.h:45
-  wire [19:0] mul_6_s3 = {1'd1, traced_160_s3, traced_159_s3, traced_158_s3, traced_157_s3, traced_150_s3, traced_145_s3} * sub_4_s3;  // units/ray_reciprocal.h:45
-  wire [19:0] mul_10_s3 = {1'd1, traced_184_s3, traced_183_s3, traced_182_s3, traced_181_s3, traced_174_s3, traced_169_s3} * sub_7_s3;  // units/ray_reciprocal.h:45
+  wire [19:0] mul_2_s3 = {1'd1, traced_136_s3, traced_135_s3, traced_134_s3, traced_133_s3, traced_126_s3, traced_121_s3} * sub_1_s3;  // units/ray_reciprocal.h:43
+  wire [19:0] mul_6_s3 = {1'd1, traced_160_s3, traced_159_s3, traced_158_s3, traced_157_s3, traced_150_s3, traced_145_s3} * sub_4_s3;  // units/ray_reciprocal.h:43
+  wire [19:0] mul_10_s3 = {1'd1, traced_184_s3, traced_183_s3, traced_182_s3, traced_181_s3, traced_174_s3, traced_169_s3} * sub_7_s3;  // units/ray_reciprocal.h:43
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -653,9 +653,9 @@ module ray_reciprocal #(
     sub_7_s5 <= sub_7_s4;
     mul_10_s5 <= mul_10_s4;
   end
-  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/ray_reciprocal.h:45
-  wire [30:0] mul_7_s5 = $signed({1'd0, sub_4_s5}) * $signed({mul_6_s5, 6'd63});  // units/ray_reciprocal.h:45
-  wire [30:0] mul_11_s5 = $signed({1'd0, sub_7_s5}) * $signed({mul_10_s5, 6'd63});  // units/ray_reciprocal.h:45
+  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/ray_reciprocal.h:43
+  wire [30:0] mul_7_s5 = $signed({1'd0, sub_4_s5}) * $signed({mul_6_s5, 6'd63});  // units/ray_reciprocal.h:43
+  wire [30:0] mul_11_s5 = $signed({1'd0, sub_7_s5}) * $signed({mul_10_s5, 6'd63});  // units/ray_reciprocal.h:43
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -710,15 +710,15 @@ module ray_reciprocal #(
     sub_7_s6 <= sub_7_s5;
     mul_11_s6 <= mul_11_s5[30:20];
   end
-  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/ray_reciprocal.h:45
-  wire eq_16_s6 = {traced_136_s6, traced_135_s6, traced_134_s6, traced_133_s6, traced_126_s6, traced_121_s6} == 16'd0;  // units/ray_reciprocal.h:45
-  wire [18:0] mux_5_s6 = {~eq_16_s6 & sub_2_s6[18], eq_16_s6 ? sub_2_s6[18:2] : sub_2_s6[17:1], eq_16_s6 & sub_2_s6[1]};  // units/ray_reciprocal.h:45
-  wire [18:0] sub_5_s6 = {sub_4_s6, 7'd0} - {{7{mul_7_s6[30]}}, mul_7_s6, 1'd1};  // units/ray_reciprocal.h:45
-  wire eq_33_s6 = {traced_160_s6, traced_159_s6, traced_158_s6, traced_157_s6, traced_150_s6, traced_145_s6} == 16'd0;  // units/ray_reciprocal.h:45
-  wire [18:0] mux_10_s6 = {~eq_33_s6 & sub_5_s6[18], eq_33_s6 ? sub_5_s6[18:2] : sub_5_s6[17:1], eq_33_s6 & sub_5_s6[1]};  // units/ray_reciprocal.h:45
-  wire [18:0] sub_8_s6 = {sub_7_s6, 7'd0} - {{7{mul_11_s6[30]}}, mul_11_s6, 1'd1};  // units/ray_reciprocal.h:45
-  wire eq_50_s6 = {traced_184_s6, traced_183_s6, traced_182_s6, traced_181_s6, traced_174_s6, traced_169_s6} == 16'd0;  // units/ray_reciprocal.h:45
-  wire [18:0] mux_15_s6 = {~eq_50_s6 & sub_8_s6[18], eq_50_s6 ? sub_8_s6[18:2] : sub_8_s6[17:1], eq_50_s6 & sub_8_s6[1]};  // units/ray_reciprocal.h:45
+  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/ray_reciprocal.h:43
+  wire eq_16_s6 = {traced_136_s6, traced_135_s6, traced_134_s6, traced_133_s6, traced_126_s6, traced_121_s6} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [18:0] mux_5_s6 = {~eq_16_s6 & sub_2_s6[18], eq_16_s6 ? sub_2_s6[18:2] : sub_2_s6[17:1], eq_16_s6 & sub_2_s6[1]};  // units/ray_reciprocal.h:43
+  wire [18:0] sub_5_s6 = {sub_4_s6, 7'd0} - {{7{mul_7_s6[30]}}, mul_7_s6, 1'd1};  // units/ray_reciprocal.h:43
+  wire eq_33_s6 = {traced_160_s6, traced_159_s6, traced_158_s6, traced_157_s6, traced_150_s6, traced_145_s6} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [18:0] mux_10_s6 = {~eq_33_s6 & sub_5_s6[18], eq_33_s6 ? sub_5_s6[18:2] : sub_5_s6[17:1], eq_33_s6 & sub_5_s6[1]};  // units/ray_reciprocal.h:43
+  wire [18:0] sub_8_s6 = {sub_7_s6, 7'd0} - {{7{mul_11_s6[30]}}, mul_11_s6, 1'd1};  // units/ray_reciprocal.h:43
+  wire eq_50_s6 = {traced_184_s6, traced_183_s6, traced_182_s6, traced_181_s6, traced_174_s6, traced_169_s6} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [18:0] mux_15_s6 = {~eq_50_s6 & sub_8_s6[18], eq_50_s6 ? sub_8_s6[18:2] : sub_8_s6[17:1], eq_50_s6 & sub_8_s6[1]};  // units/ray_reciprocal.h:43
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -780,12 +780,12 @@ module ray_reciprocal #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({traced_137_s1, traced_161_s1, traced_185_s1}),
     .data_o({traced_137_s7, traced_161_s7, traced_185_s7}));
-  wire [19:0] mul_4_s7 = {1'd1, traced_136_s7, traced_135_s7, traced_134_s7, traced_133_s7, traced_126_s7, traced_121_s7} * mux_5_s7;  // units/ray_reciprocal.h:45
-  wire [19:0] mul_8_s7 = {1'd1, traced_160_s7, traced_159_s7, traced_158_s7, traced_157_s7, traced_150_s7, traced_145_s7} * mux_10_s7;  // units/ray_reciprocal.h:45
-  wire [19:0] mul_12_s7 = {1'd1, traced_184_s7, traced_183_s7, traced_182_s7, traced_181_s7, traced_174_s7, traced_169_s7} * mux_15_s7;  // units/ray_reciprocal.h:45
-  wire [16:0] mux_16_s7 = {mux_15_s7[1] ? 1'd0 : 1'd1, ~{16{mux_15_s7[1]}} & {traced_184_s7, traced_183_s7, traced_182_s7, traced_181_s7, traced_174_s7, traced_169_s7}};  // units/ray_reciprocal.h:45
-  wire [16:0] mux_19_s7 = {mux_10_s7[1] ? 1'd0 : 1'd1, ~{16{mux_10_s7[1]}} & {traced_160_s7, traced_159_s7, traced_158_s7, traced_157_s7, traced_150_s7, traced_145_s7}};  // units/ray_reciprocal.h:45
-  wire [16:0] mux_22_s7 = {mux_5_s7[1] ? 1'd0 : 1'd1, ~{16{mux_5_s7[1]}} & {traced_136_s7, traced_135_s7, traced_134_s7, traced_133_s7, traced_126_s7, traced_121_s7}};  // units/ray_reciprocal.h:45
+  wire [19:0] mul_4_s7 = {1'd1, traced_136_s7, traced_135_s7, traced_134_s7, traced_133_s7, traced_126_s7, traced_121_s7} * mux_5_s7;  // units/ray_reciprocal.h:43
+  wire [19:0] mul_8_s7 = {1'd1, traced_160_s7, traced_159_s7, traced_158_s7, traced_157_s7, traced_150_s7, traced_145_s7} * mux_10_s7;  // units/ray_reciprocal.h:43
+  wire [19:0] mul_12_s7 = {1'd1, traced_184_s7, traced_183_s7, traced_182_s7, traced_181_s7, traced_174_s7, traced_169_s7} * mux_15_s7;  // units/ray_reciprocal.h:43
+  wire [16:0] mux_16_s7 = {mux_15_s7[1] ? 1'd0 : 1'd1, ~{16{mux_15_s7[1]}} & {traced_184_s7, traced_183_s7, traced_182_s7, traced_181_s7, traced_174_s7, traced_169_s7}};  // units/ray_reciprocal.h:43
+  wire [16:0] mux_19_s7 = {mux_10_s7[1] ? 1'd0 : 1'd1, ~{16{mux_10_s7[1]}} & {traced_160_s7, traced_159_s7, traced_158_s7, traced_157_s7, traced_150_s7, traced_145_s7}};  // units/ray_reciprocal.h:43
+  wire [16:0] mux_22_s7 = {mux_5_s7[1] ? 1'd0 : 1'd1, ~{16{mux_5_s7[1]}} & {traced_136_s7, traced_135_s7, traced_134_s7, traced_133_s7, traced_126_s7, traced_121_s7}};  // units/ray_reciprocal.h:43
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -858,24 +858,24 @@ module ray_reciprocal #(
     mux_19_s8 <= mux_19_s7;
     mux_22_s8 <= mux_22_s7;
   end
-  wire [16:0] add_1_s8 = {1'd1, traced_136_s8, traced_135_s8, traced_134_s8, traced_133_s8, traced_126_s8, traced_121_s8} + 17'h1ffff;  // units/ray_reciprocal.h:45
-  wire [19:0] add_2_s8 = mul_4_s8 + {3'd0, add_1_s8};  // units/ray_reciprocal.h:45
-  wire [7:0] sub_3_s8 = 8'd63 - {1'd0, traced_137_s8};  // units/ray_reciprocal.h:45
-  wire [8:0] add_3_s8 = {sub_3_s8[7], sub_3_s8} + {8'd31, eq_16_s8};  // units/ray_reciprocal.h:45
-  wire [16:0] add_4_s8 = {1'd1, traced_160_s8, traced_159_s8, traced_158_s8, traced_157_s8, traced_150_s8, traced_145_s8} + 17'h1ffff;  // units/ray_reciprocal.h:45
-  wire [19:0] add_5_s8 = mul_8_s8 + {3'd0, add_4_s8};  // units/ray_reciprocal.h:45
-  wire [7:0] sub_6_s8 = 8'd63 - {1'd0, traced_161_s8};  // units/ray_reciprocal.h:45
-  wire [8:0] add_6_s8 = {sub_6_s8[7], sub_6_s8} + {8'd31, eq_33_s8};  // units/ray_reciprocal.h:45
-  wire [16:0] add_7_s8 = {1'd1, traced_184_s8, traced_183_s8, traced_182_s8, traced_181_s8, traced_174_s8, traced_169_s8} + 17'h1ffff;  // units/ray_reciprocal.h:45
-  wire [19:0] add_8_s8 = mul_12_s8 + {3'd0, add_7_s8};  // units/ray_reciprocal.h:45
-  wire [7:0] sub_9_s8 = 8'd63 - {1'd0, traced_185_s8};  // units/ray_reciprocal.h:45
-  wire [8:0] add_9_s8 = {sub_9_s8[7], sub_9_s8} + {8'd31, eq_50_s8};  // units/ray_reciprocal.h:45
-  wire [17:0] add_10_s8 = {2'd1, traced_184_s8, traced_183_s8, traced_182_s8, traced_181_s8, traced_174_s8, traced_169_s8} + {2'd0, mux_16_s8[16:1]};  // units/ray_reciprocal.h:45
-  wire [19:0] add_12_s8 = mul_12_s8 + ({1'd0, add_10_s8, mux_16_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:45
-  wire [17:0] add_14_s8 = {2'd1, traced_160_s8, traced_159_s8, traced_158_s8, traced_157_s8, traced_150_s8, traced_145_s8} + {2'd0, mux_19_s8[16:1]};  // units/ray_reciprocal.h:45
-  wire [19:0] add_16_s8 = mul_8_s8 + ({1'd0, add_14_s8, mux_19_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:45
-  wire [17:0] add_18_s8 = {2'd1, traced_136_s8, traced_135_s8, traced_134_s8, traced_133_s8, traced_126_s8, traced_121_s8} + {2'd0, mux_22_s8[16:1]};  // units/ray_reciprocal.h:45
-  wire [19:0] add_20_s8 = mul_4_s8 + ({1'd0, add_18_s8, mux_22_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:45
+  wire [16:0] add_1_s8 = {1'd1, traced_136_s8, traced_135_s8, traced_134_s8, traced_133_s8, traced_126_s8, traced_121_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
+  wire [19:0] add_2_s8 = mul_4_s8 + {3'd0, add_1_s8};  // units/ray_reciprocal.h:43
+  wire [7:0] sub_3_s8 = 8'd63 - {1'd0, traced_137_s8};  // units/ray_reciprocal.h:43
+  wire [8:0] add_3_s8 = {sub_3_s8[7], sub_3_s8} + {8'd31, eq_16_s8};  // units/ray_reciprocal.h:43
+  wire [16:0] add_4_s8 = {1'd1, traced_160_s8, traced_159_s8, traced_158_s8, traced_157_s8, traced_150_s8, traced_145_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
+  wire [19:0] add_5_s8 = mul_8_s8 + {3'd0, add_4_s8};  // units/ray_reciprocal.h:43
+  wire [7:0] sub_6_s8 = 8'd63 - {1'd0, traced_161_s8};  // units/ray_reciprocal.h:43
+  wire [8:0] add_6_s8 = {sub_6_s8[7], sub_6_s8} + {8'd31, eq_33_s8};  // units/ray_reciprocal.h:43
+  wire [16:0] add_7_s8 = {1'd1, traced_184_s8, traced_183_s8, traced_182_s8, traced_181_s8, traced_174_s8, traced_169_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
+  wire [19:0] add_8_s8 = mul_12_s8 + {3'd0, add_7_s8};  // units/ray_reciprocal.h:43
+  wire [7:0] sub_9_s8 = 8'd63 - {1'd0, traced_185_s8};  // units/ray_reciprocal.h:43
+  wire [8:0] add_9_s8 = {sub_9_s8[7], sub_9_s8} + {8'd31, eq_50_s8};  // units/ray_reciprocal.h:43
+  wire [17:0] add_10_s8 = {2'd1, traced_184_s8, traced_183_s8, traced_182_s8, traced_181_s8, traced_174_s8, traced_169_s8} + {2'd0, mux_16_s8[16:1]};  // units/ray_reciprocal.h:43
+  wire [19:0] add_12_s8 = mul_12_s8 + ({1'd0, add_10_s8, mux_16_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
+  wire [17:0] add_14_s8 = {2'd1, traced_160_s8, traced_159_s8, traced_158_s8, traced_157_s8, traced_150_s8, traced_145_s8} + {2'd0, mux_19_s8[16:1]};  // units/ray_reciprocal.h:43
+  wire [19:0] add_16_s8 = mul_8_s8 + ({1'd0, add_14_s8, mux_19_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
+  wire [17:0] add_18_s8 = {2'd1, traced_136_s8, traced_135_s8, traced_134_s8, traced_133_s8, traced_126_s8, traced_121_s8} + {2'd0, mux_22_s8[16:1]};  // units/ray_reciprocal.h:43
+  wire [19:0] add_20_s8 = mul_4_s8 + ({1'd0, add_18_s8, mux_22_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -924,26 +924,26 @@ module ray_reciprocal #(
     .data_i({j_last_s1, j_job_is_new_s1, j_job_ray_packet_s1, traced_18_s1, traced_19_s1, traced_20_s1, j_job_ray_last_value_s1, not_57_s1, j_job_ray_root_s1, traced_192_s1, traced_168_s1, traced_144_s1, j_job_ray_active_s1}),
     .data_o({j_last_s9, j_job_is_new_s9, j_job_ray_packet_s9, traced_18_s9, traced_19_s9, traced_20_s9, j_job_ray_last_value_s9, not_57_s9, j_job_ray_root_s9, traced_192_s9, traced_168_s9, traced_144_s9, j_job_ray_active_s9}));
   wire or_1_s9 = mux_5_s9[1] | add_2_s9;
-  wire not_18_s9 = ~mux_5_s9[18];  // units/ray_reciprocal.h:45
+  wire not_18_s9 = ~mux_5_s9[18];  // units/ray_reciprocal.h:43
   wire and_2_s9 = (16'hfffd < mux_5_s9[17:2]) & (mux_5_s9[18] & (add_3_s9[6:0] == 7'd127));
   wire or_3_s9 = add_3_s9[7] | ((or_1_s9 | mux_5_s9[2]) & and_2_s9);
   wire or_4_s9 = mux_10_s9[1] | add_5_s9;
-  wire not_36_s9 = ~mux_10_s9[18];  // units/ray_reciprocal.h:45
+  wire not_36_s9 = ~mux_10_s9[18];  // units/ray_reciprocal.h:43
   wire and_5_s9 = (16'hfffd < mux_10_s9[17:2]) & (mux_10_s9[18] & (add_6_s9[6:0] == 7'd127));
   wire or_6_s9 = add_6_s9[7] | ((or_4_s9 | mux_10_s9[2]) & and_5_s9);
   wire or_7_s9 = mux_15_s9[1] | add_8_s9;
-  wire not_54_s9 = ~mux_15_s9[18];  // units/ray_reciprocal.h:45
-  wire or_9_s9 = (mux_15_s9[17:2] < 16'hfffe) | (not_54_s9 | (~(add_9_s9[6:0] == 7'd127)));  // units/ray_reciprocal.h:45
+  wire not_54_s9 = ~mux_15_s9[18];  // units/ray_reciprocal.h:43
+  wire or_9_s9 = (mux_15_s9[17:2] < 16'hfffe) | (not_54_s9 | (~(add_9_s9[6:0] == 7'd127)));  // units/ray_reciprocal.h:43
   wire or_11_s9 = add_9_s9[7] | ((or_7_s9 | mux_15_s9[2]) & (~or_9_s9));
-  wire [23:0] add_13_s9 = {add_9_s9[6:0], 15'd0, or_7_s9, 1'd1} + {{7{not_54_s9}}, mux_15_s9[17:2], add_12_s9};  // units/ray_reciprocal.h:45
-  wire [22:0] mux_17_s9 = {23{or_11_s9}} | add_13_s9[23:1];  // units/ray_reciprocal.h:45
-  wire [22:0] mux_18_s9 = ~{23{add_9_s9[8]}} & mux_17_s9;  // units/ray_reciprocal.h:45
-  wire [23:0] add_17_s9 = {add_6_s9[6:0], 15'd0, or_4_s9, 1'd1} + {{7{not_36_s9}}, mux_10_s9[17:2], add_16_s9};  // units/ray_reciprocal.h:45
-  wire [22:0] mux_20_s9 = {23{or_6_s9}} | add_17_s9[23:1];  // units/ray_reciprocal.h:45
-  wire [22:0] mux_21_s9 = ~{23{add_6_s9[8]}} & mux_20_s9;  // units/ray_reciprocal.h:45
-  wire [23:0] add_21_s9 = {add_3_s9[6:0], 15'd0, or_1_s9, 1'd1} + {{7{not_18_s9}}, mux_5_s9[17:2], add_20_s9};  // units/ray_reciprocal.h:45
-  wire [22:0] mux_23_s9 = {23{or_3_s9}} | add_21_s9[23:1];  // units/ray_reciprocal.h:45
-  wire [22:0] mux_24_s9 = ~{23{add_3_s9[8]}} & mux_23_s9;  // units/ray_reciprocal.h:45
+  wire [23:0] add_13_s9 = {add_9_s9[6:0], 15'd0, or_7_s9, 1'd1} + {{7{not_54_s9}}, mux_15_s9[17:2], add_12_s9};  // units/ray_reciprocal.h:43
+  wire [22:0] mux_17_s9 = {23{or_11_s9}} | add_13_s9[23:1];  // units/ray_reciprocal.h:43
+  wire [22:0] mux_18_s9 = ~{23{add_9_s9[8]}} & mux_17_s9;  // units/ray_reciprocal.h:43
+  wire [23:0] add_17_s9 = {add_6_s9[6:0], 15'd0, or_4_s9, 1'd1} + {{7{not_36_s9}}, mux_10_s9[17:2], add_16_s9};  // units/ray_reciprocal.h:43
+  wire [22:0] mux_20_s9 = {23{or_6_s9}} | add_17_s9[23:1];  // units/ray_reciprocal.h:43
+  wire [22:0] mux_21_s9 = ~{23{add_6_s9[8]}} & mux_20_s9;  // units/ray_reciprocal.h:43
+  wire [23:0] add_21_s9 = {add_3_s9[6:0], 15'd0, or_1_s9, 1'd1} + {{7{not_18_s9}}, mux_5_s9[17:2], add_20_s9};  // units/ray_reciprocal.h:43
+  wire [22:0] mux_23_s9 = {23{or_3_s9}} | add_21_s9[23:1];  // units/ray_reciprocal.h:43
+  wire [22:0] mux_24_s9 = ~{23{add_3_s9[8]}} & mux_23_s9;  // units/ray_reciprocal.h:43
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -988,16 +988,16 @@ module ray_reciprocal #(
   wire and_9_s10 = traced_18_s10 & not_59_s10;
   wire and_10_s10 = not_58_s10 & traced_19_s10;
   wire and_11_s10 = traced_18_s10 & traced_19_s10;
-  wire and_14_s10 = j_last_s10 & (~traced_20_s10);
-  wire and_19_s10 = j_last_s10 & traced_20_s10;
-  wire and_24_s10 = j_last_s10 & j_job_is_new_s10;
+  wire and_12_s10 = j_last_s10 & j_job_is_new_s10;
+  wire and_15_s10 = j_last_s10 & (~traced_20_s10);
+  wire and_20_s10 = j_last_s10 & traced_20_s10;
 
   // ---- state, rows and tokens written ----
   wire [9:0] reset_stored;
   hls_fifo #(.WIDTH(10), .DEPTH(RESET_DEPTH), .MARGIN(RESET_BOUNDED ? 0 : 10),
     .BOUNDED(RESET_BOUNDED)) reset_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s10 && and_24_s10), .ready_o(reset_room),
+    .valid_i(valid_s10 && and_12_s10), .ready_o(reset_room),
     .data_i({j_job_ray_last_value_s10, traced_20_s10, traced_19_s10, traced_18_s10, j_job_ray_packet_s10}),
     .valid_o(reset_valid_o), .ready_i(reset_ready_i), .data_o(reset_stored));
   assign reset_data_o = {reset_stored[9], 145'd1, reset_stored[8:0]};
@@ -1009,34 +1009,34 @@ module ray_reciprocal #(
     .data_i({j_job_ray_active_s10, j_job_ray_root_s10, j_job_ray_packet_s10}),
     .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_stored));
   assign enter_object_data_o = {45'd0, enter_object_stored[32:6], 3'd1, enter_object_stored[5:0]};
-  assign ray_0_en_o = valid_s10 && (and_8_s10 & and_14_s10);
+  assign ray_0_en_o = valid_s10 && (and_8_s10 & and_15_s10);
   assign ray_0_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_0_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_1_en_o = valid_s10 && (and_9_s10 & and_14_s10);
+  assign ray_1_en_o = valid_s10 && (and_9_s10 & and_15_s10);
   assign ray_1_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_1_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_2_en_o = valid_s10 && (and_10_s10 & and_14_s10);
+  assign ray_2_en_o = valid_s10 && (and_10_s10 & and_15_s10);
   assign ray_2_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_2_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_3_en_o = valid_s10 && (and_11_s10 & and_14_s10);
+  assign ray_3_en_o = valid_s10 && (and_11_s10 & and_15_s10);
   assign ray_3_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_3_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_4_en_o = valid_s10 && (and_8_s10 & and_19_s10);
+  assign ray_4_en_o = valid_s10 && (and_8_s10 & and_20_s10);
   assign ray_4_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_4_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_5_en_o = valid_s10 && (and_9_s10 & and_19_s10);
+  assign ray_5_en_o = valid_s10 && (and_9_s10 & and_20_s10);
   assign ray_5_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_5_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_6_en_o = valid_s10 && (and_10_s10 & and_19_s10);
+  assign ray_6_en_o = valid_s10 && (and_10_s10 & and_20_s10);
   assign ray_6_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_6_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
-  assign ray_7_en_o = valid_s10 && (and_11_s10 & and_19_s10);
+  assign ray_7_en_o = valid_s10 && (and_11_s10 & and_20_s10);
   assign ray_7_addr_o = {not_57_s10, j_job_ray_packet_s10};
   assign ray_7_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
   assign origin_en_o = valid_s0 && j_last_s0;
   assign origin_addr_o = {not_57_s0, j_job_ray_packet_s0};
   assign origin_data_o = traced_49_s0;
-  assign in_world_en_o = valid_s10 && and_24_s10;
+  assign in_world_en_o = valid_s10 && and_12_s10;
   assign in_world_addr_o = {j_job_ray_packet_s10, traced_20_s10, traced_19_s10, traced_18_s10};
   assign in_world_data_o = {traced_192_s10, mux_18_s10, traced_168_s10, mux_21_s10, traced_144_s10, mux_24_s10};
 

@@ -38,13 +38,13 @@ module send_packet #(
   wire [3:0] job_1_s0 = job_data_i[4:1];
   wire [7:0] j_job_sent_value_s0 = job_data_i[26:19];
   wire compressed_s0 = job_data_i[27];
-  wire [4:0] mux_1_s0 = {~{4{compressed_s0}} & job_1_s0, compressed_s0 ? job_0_s0 : job_0_s0};  // units/send_packet.h:68
-  wire point_s0 = mux_1_s0 == 5'd0;  // units/send_packet.h:68
-  wire eq_1_s0 = {job_1_s0, job_0_s0} == 5'd0;  // units/send_packet.h:115
+  wire [4:0] mux_1_s0 = {~{4{compressed_s0}} & job_1_s0, compressed_s0 ? job_0_s0 : job_0_s0};  // units/send_packet.h:64
+  wire point_s0 = mux_1_s0 == 5'd0;  // units/send_packet.h:64
+  wire eq_1_s0 = {job_1_s0, job_0_s0} == 5'd0;  // units/send_packet.h:111
   wire [1:0] j_job_kind_s0 = job_data_i[18:17];
   wire [5:0] j_job_packet_s0 = job_data_i[16:11];
   wire sent_last_value_s0 = job_data_i[5];
-  wire level_s0 = j_job_kind_s0 == 2'd2;  // units/send_packet.h:78
+  wire level_s0 = j_job_kind_s0 == 2'd2;  // units/send_packet.h:74
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -66,7 +66,7 @@ module send_packet #(
     level_s1 <= level_s0;
   end
   reg  [7:0] left_q;
-  wire [7:0] left_2_s1 = eq_1_s1 ? j_job_sent_value_s1 : left_q;  // units/send_packet.h:115
+  wire [7:0] left_2_s1 = eq_1_s1 ? j_job_sent_value_s1 : left_q;  // units/send_packet.h:111
   wire not_2_s1 = ~left_2_s1[6];  // units/packet_rays.h:42
   wire [1:0] mux_2_s1 = {left_2_s1[5] ? 1'd0 : 1'd1, left_2_s1[5] | not_2_s1};  // units/packet_rays.h:42
   wire [1:0] mux_3_s1 = ~{2{left_2_s1[4]}} & mux_2_s1;  // units/packet_rays.h:42
@@ -76,7 +76,7 @@ module send_packet #(
   wire [1:0] mux_4_s1 = {left_2_s1[1] ? 1'd0 : 1'd1, left_2_s1[1] | not_4_s1};
   wire [2:0] mux_5_s1 = or_3_s1 ? {1'd0, mux_4_s1} : {1'd1, mux_3_s1};
   wire [2:0] mux_6_s1 = {3{and_1_s1}} & mux_5_s1;
-  wire [7:0] add_1_s1 = left_2_s1 + 8'd255;  // units/send_packet.h:117
+  wire [7:0] add_1_s1 = left_2_s1 + 8'd255;  // units/send_packet.h:113
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -143,8 +143,8 @@ module send_packet #(
     origin_24_s4 <= origin_24_s3;
     common_z_s4 <= common_z_s3;
   end
-  wire [55:0] mux_8_s4 = point_s4 ? {origin_24_s4, 8'd0, origin_0_s4} : {vectors_24_s4, 8'd0, vectors_0_s4};  // units/send_packet.h:83
-  wire [23:0] stored_z_2_s4 = point_s4 ? common_z_s4 : stored_z_s4;  // units/send_packet.h:83
+  wire [55:0] mux_8_s4 = point_s4 ? {origin_24_s4, 8'd0, origin_0_s4} : {vectors_24_s4, 8'd0, vectors_0_s4};  // units/send_packet.h:79
+  wire [23:0] stored_z_2_s4 = point_s4 ? common_z_s4 : stored_z_s4;  // units/send_packet.h:79
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin

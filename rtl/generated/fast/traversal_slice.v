@@ -37,11 +37,11 @@ module traversal_slice #(
   assign fire_o = valid_s0;
   assign stall_o = tokens && !room;
   wire lane_2_config = lane_i[2];
-  wire [4:0] mux_1_config = lane_2_config ? 5'd16 : 5'd1;  // units/traversal_slice.h:53
+  wire [4:0] mux_1_config = lane_2_config ? 5'd16 : 5'd1;  // units/traversal_slice.h:54
   wire lane_1_config = lane_i[1];
-  wire [6:0] mux_2_config = {{2{lane_1_config}} & mux_1_config[4:3], lane_1_config ? mux_1_config[2:0] : mux_1_config[4:2], ~{2{lane_1_config}} & mux_1_config[1:0]};  // units/traversal_slice.h:53
+  wire [6:0] mux_2_config = {{2{lane_1_config}} & mux_1_config[4:3], lane_1_config ? mux_1_config[2:0] : mux_1_config[4:2], ~{2{lane_1_config}} & mux_1_config[1:0]};  // units/traversal_slice.h:54
   wire lane_0_config = lane_i[0];
-  wire [7:0] mux_3_config = {lane_0_config & mux_2_config[6], lane_0_config ? mux_2_config[5:0] : mux_2_config[6:1], ~lane_0_config & mux_2_config[0]};  // units/traversal_slice.h:53
+  wire [7:0] mux_3_config = {lane_0_config & mux_2_config[6], lane_0_config ? mux_2_config[5:0] : mux_2_config[6:1], ~lane_0_config & mux_2_config[0]};  // units/traversal_slice.h:54
   reg  [7:0] mux_3_still;
   always @(posedge clk_i) mux_3_still <= mux_3_config;
 
@@ -55,13 +55,13 @@ module traversal_slice #(
   wire [5:0] s_context_packet_s0 = step_in_data_i[5:0];
   wire [1:0] s_context_stack_s0 = step_in_data_i[27:26];
   wire [7:0] s_context_both_s0 = step_in_data_i[17:10];
-  wire [7:0] both_s0 = s_context_both_s0 & mux_3_still;  // units/traversal_slice.h:53
-  wire both_2_s0 = both_s0 == 8'd0;  // units/traversal_slice.h:53
+  wire [7:0] both_s0 = s_context_both_s0 & mux_3_still;  // units/traversal_slice.h:54
+  wire both_2_s0 = both_s0 == 8'd0;  // units/traversal_slice.h:54
   wire [1:0] s_node_kind_s0 = step_in_data_i[31:30];
-  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:160
-  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:160
-  wire [1:0] mux_15_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:378
-  wire [1:0] mux_16_s0 = ~{2{eq_4_s0}} & mux_15_s0;  // units/packet.h:378
+  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:161
+  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:161
+  wire [1:0] mux_15_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:340
+  wire [1:0] mux_16_s0 = ~{2{eq_4_s0}} & mux_15_s0;  // units/packet.h:340
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -119,8 +119,8 @@ module traversal_slice #(
     ray_16_s2 <= ray_16_s1;
     ray_23_s2 <= ray_23_s1;
   end
-  wire [7:0] add_1_s2 = {1'd0, step_in_48_s2} + {1'd0, ray_16_s2};  // units/traversal_slice.h:132
-  wire [23:0] xor_1_s2 = {step_in_55_s2, step_in_48_s2, step_in_32_s2} ^ {ray_23_s2, ray_16_s2, ray_0_s2};  // units/traversal_slice.h:132
+  wire [7:0] add_1_s2 = {1'd0, step_in_48_s2} + {1'd0, ray_16_s2};  // units/traversal_slice.h:133
+  wire [23:0] xor_1_s2 = {step_in_55_s2, step_in_48_s2, step_in_32_s2} ^ {ray_23_s2, ray_16_s2, ray_0_s2};  // units/traversal_slice.h:133
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -155,8 +155,8 @@ module traversal_slice #(
   wire [23:0] before_plane_s3 = interval_row[71:48];
   wire [23:0] far_stack_row;
   wire [23:0] popped_far_s3 = far_stack_row;
-  wire eq_1_s3 = {step_in_9_s3, step_in_7_s3} == 3'd0;  // units/traversal_slice.h:67
-  wire [33:0] mul_1_s3 = {1'd1, step_in_32_s3} * {1'd1, ray_0_s3};  // units/traversal_slice.h:132
+  wire eq_1_s3 = {step_in_9_s3, step_in_7_s3} == 3'd0;  // units/traversal_slice.h:68
+  wire [33:0] mul_1_s3 = {1'd1, step_in_32_s3} * {1'd1, ray_0_s3};  // units/traversal_slice.h:133
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -200,7 +200,7 @@ module traversal_slice #(
   wire eq_3_s4 = {step_in_9_s4, step_in_7_s4} == 3'd4;
   wire [23:0] mux_7_s4 = step_in_9_s4 ? (eq_3_s4 ? popped_far_s4 : before_plane_s4) : (eq_2_s4 ? far_s4 : before_plane_s4);
   wire [23:0] mux_12_s4 = step_in_9_s4 ? (eq_3_s4 ? far_s4 : near_s4) : (eq_2_s4 ? before_plane_s4 : near_s4);
-  wire eq_6_s4 = mul_1_s4[14:0] == 15'd0;  // units/traversal_slice.h:132
+  wire eq_6_s4 = mul_1_s4[14:0] == 15'd0;  // units/traversal_slice.h:133
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -239,17 +239,17 @@ module traversal_slice #(
     add_1_s5 <= add_1_s4;
     xor_1_s5 <= xor_1_s4;
   end
-  wire [23:0] far_2_s5 = {~s_context_level_s5 & hit_s5[23], s_context_level_s5 ? magnitude_2_s5 : hit_s5[22:5], ~{5{s_context_level_s5}} & hit_s5[4:0]};  // units/traversal_slice.h:76
-  wire [17:0] mux_4_s5 = {18{s_context_level_s5}} & magnitude_s5;  // units/traversal_slice.h:81
+  wire [23:0] far_2_s5 = {~s_context_level_s5 & hit_s5[23], s_context_level_s5 ? magnitude_2_s5 : hit_s5[22:5], ~{5{s_context_level_s5}} & hit_s5[4:0]};  // units/traversal_slice.h:77
+  wire [17:0] mux_4_s5 = {18{s_context_level_s5}} & magnitude_s5;  // units/traversal_slice.h:82
   wire [23:0] mux_9_s5 = eq_1_s5 ? far_2_s5 : (both_2_s5 ? far_s5 : mux_7_s5);
   wire [23:0] mux_13_s5 = both_2_s5 ? near_s5 : mux_12_s5;
   wire [23:0] mux_14_s5 = {~eq_1_s5 & mux_13_s5[23], eq_1_s5 ? mux_4_s5 : mux_13_s5[22:5], ~{5{eq_1_s5}} & mux_13_s5[4:0]};
-  wire not_1_s5 = ~mul_1_s5[33];  // units/traversal_slice.h:132
-  wire [17:0] mux_17_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/traversal_slice.h:132
-  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/traversal_slice.h:132
-  wire mux_18_s5 = (((~eq_6_s5) | mux_17_s5[0]) | (~mux_17_s5[1])) ? mux_17_s5[1] : mux_17_s5[2];  // units/traversal_slice.h:132
-  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_18_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_17_s5[17:2]};  // units/traversal_slice.h:132
-  wire [23:0] or_3_s5 = hit_s5 | mux_14_s5;  // units/traversal_slice.h:112
+  wire not_1_s5 = ~mul_1_s5[33];  // units/traversal_slice.h:133
+  wire [17:0] mux_17_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/traversal_slice.h:133
+  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/traversal_slice.h:133
+  wire mux_18_s5 = (((~eq_6_s5) | mux_17_s5[0]) | (~mux_17_s5[1])) ? mux_17_s5[1] : mux_17_s5[2];  // units/traversal_slice.h:133
+  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_18_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_17_s5[17:2]};  // units/traversal_slice.h:133
+  wire [23:0] or_3_s5 = hit_s5 | mux_14_s5;  // units/traversal_slice.h:113
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -276,10 +276,10 @@ module traversal_slice #(
     add_3_s6 <= add_3_s5;
     or_3_s6 <= or_3_s5[23];
   end
-  wire [22:0] mux_19_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/traversal_slice.h:132
-  wire [22:0] mux_20_s6 = ~{23{add_3_s6[24]}} & mux_19_s6;  // units/traversal_slice.h:132
-  wire lt_1_s6 = {1'd0, mux_20_s6, 1'd0} < {mux_14_s6, mux_14_s6[23]};  // units/traversal_slice.h:105
-  wire lt_2_s6 = {mux_9_s6, 1'd0} < {1'd0, mux_20_s6, mux_9_s6[23]};  // units/traversal_slice.h:106
+  wire [22:0] mux_19_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/traversal_slice.h:133
+  wire [22:0] mux_20_s6 = ~{23{add_3_s6[24]}} & mux_19_s6;  // units/traversal_slice.h:133
+  wire lt_1_s6 = {1'd0, mux_20_s6, 1'd0} < {mux_14_s6, mux_14_s6[23]};  // units/traversal_slice.h:106
+  wire lt_2_s6 = {mux_9_s6, 1'd0} < {1'd0, mux_20_s6, mux_9_s6[23]};  // units/traversal_slice.h:107
   wire out_terminated_s6 = (or_3_s6 ^ ({hit_s6, 1'd0} < {mux_14_s6, or_3_s6})) & (~eq_1_s6);
 
   // ---- stage 7 ----
@@ -301,12 +301,12 @@ module traversal_slice #(
     lt_2_s7 <= lt_2_s6;
     out_terminated_s7 <= out_terminated_s6;
   end
-  wire behind_s7 = ~xor_1_s7;  // units/traversal_slice.h:104
+  wire behind_s7 = ~xor_1_s7;  // units/traversal_slice.h:105
   wire go_near_s7 = xor_1_s7 | (mux_14_s7 ^ (~lt_1_s7));
   wire go_far_s7 = behind_s7 & (mux_9_s7 ^ (~lt_2_s7));
-  wire left_first_s7 = ~step_in_55_s7;  // units/traversal_slice.h:132
-  wire out_go_right_s7 = step_in_55_s7 ? go_near_s7 : go_far_s7;  // units/traversal_slice.h:111
-  wire out_go_left_s7 = step_in_55_s7 ? go_far_s7 : go_near_s7;  // units/traversal_slice.h:110
+  wire left_first_s7 = ~step_in_55_s7;  // units/traversal_slice.h:133
+  wire out_go_right_s7 = step_in_55_s7 ? go_near_s7 : go_far_s7;  // units/traversal_slice.h:112
+  wire out_go_left_s7 = step_in_55_s7 ? go_far_s7 : go_near_s7;  // units/traversal_slice.h:111
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(4), .DEPTH(DECISION_DEPTH), .MARGIN(DECISION_BOUNDED ? 0 : 7),

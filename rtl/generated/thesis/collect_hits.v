@@ -190,7 +190,7 @@ module collect_hits #(
   wire not_1_s4 = ~candidate_5_s4;
   wire not_2_s4 = ~candidate_6_s4;
   wire [23:0] mux_10_s4 = {~in_reset_s4 & candidate_9_s4[23], {23{in_reset_s4}} | candidate_9_s4[22:0]};  // units/collect_hits.h:93
-  wire eq_1_s4 = {candidate_6_s4, candidate_5_s4} == 2'd3;  // units/packet.h:245
+  wire eq_1_s4 = {candidate_6_s4, candidate_5_s4} == 2'd3;  // units/packet.h:210
   wire not_3_s4 = ~in_reset_s4;
   wire [3:0] job_active_s4 = record_data_i[5:2];
 

@@ -96,7 +96,7 @@ module node_fetch #(
   wire [3:0] state_alive_2_s1 = enter_s1 ? e_active_s1 : state_alive_s1;  // units/node_fetch.h:66
   wire [3:0] state_alive_3_s1 = state_alive_2_s1 & (~e_terminated_s1);  // units/node_fetch.h:75
   wire [4:0] add_1_s1 = mux_1_s1 + 5'd31;  // units/node_fetch.h:77
-  wire eq_2_s1 = mux_1_s1 == 5'd0;  // units/node_fetch.h:164
+  wire eq_2_s1 = mux_1_s1 == 5'd0;  // units/node_fetch.h:163
   wire full_s1 = mux_1_s1 == 5'd31;  // units/node_fetch.h:156
 
   // ---- stage 2 ----

@@ -58,7 +58,7 @@ module packet_decoder #(
   wire [23:0] in_vector_x_s0 = vector_data_i[31:8];
   wire [23:0] in_vector_y_s0 = vector_data_i[55:32];
   wire [23:0] in_vector_z_s0 = vector_data_i[79:56];
-  wire not_1_s0 = ~in_point_s0;  // units/send_packet.h:37
+  wire not_1_s0 = ~in_point_s0;  // units/send_packet.h:33
   wire eq_2_s0 = in_ray_s0 == 2'd0;
   wire eq_3_s0 = in_ray_s0 == 2'd1;
   wire eq_4_s0 = in_ray_s0 == 2'd2;
@@ -99,14 +99,14 @@ module packet_decoder #(
   reg  [23:0] origin_z_q;
   wire record_0_s1 = record_data_i[0];
   wire record_1_s1 = record_data_i[1];
-  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:55
-  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:62
+  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:51
+  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:58
   wire [18:0] record_6_s1 = record_data_i[24:6];
   wire [23:0] mux_1_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;
   wire [23:0] r_origin_y_s1 = in_point_s1 ? in_vector_y_s1 : origin_y_q;
   wire [23:0] r_origin_z_s1 = in_point_s1 ? in_vector_z_s1 : origin_z_q;
   wire and_2_s1 = triangle_s1 & not_1_s1;
-  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:61
+  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:57
   wire [3:0] job_active_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----

@@ -39,10 +39,10 @@ module send_packet #(
   wire job_2_s0 = job_data_i[2];
   wire job_3_s0 = job_data_i[3];
   wire [3:0] j_job_repeat_s0 = job_data_i[8:5];
-  wire compressed_s0 = j_job_repeat_s0 == 4'd4;  // units/send_packet.h:64
-  wire [3:0] mux_1_s0 = {{3{compressed_s0}} & {job_3_s0, job_2_s0, job_1_s0}, compressed_s0 ? job_0_s0 : job_0_s0};  // units/send_packet.h:68
-  wire point_s0 = mux_1_s0 == 4'd0;  // units/send_packet.h:68
-  wire [1:0] add_1_s0 = {job_1_s0, job_0_s0} + 2'd3;  // units/send_packet.h:74
+  wire compressed_s0 = j_job_repeat_s0 == 4'd4;  // units/send_packet.h:60
+  wire [3:0] mux_1_s0 = {{3{compressed_s0}} & {job_3_s0, job_2_s0, job_1_s0}, compressed_s0 ? job_0_s0 : job_0_s0};  // units/send_packet.h:64
+  wire point_s0 = mux_1_s0 == 4'd0;  // units/send_packet.h:64
+  wire [1:0] add_1_s0 = {job_1_s0, job_0_s0} + 2'd3;  // units/send_packet.h:70
   wire [1:0] mux_3_s0 = compressed_s0 ? (~{2{point_s0}} & add_1_s0) : {job_2_s0, job_1_s0};
   wire [4:0] j_job_packet_s0 = job_data_i[13:9];
   wire [1:0] j_job_kind_s0 = job_data_i[15:14];
@@ -70,19 +70,19 @@ module send_packet #(
   wire position_1_s1 = position_data_i[1];
   wire [3:0] position_2_s1 = position_data_i[5:2];
   wire [3:0] position_6_s1 = position_data_i[9:6];
-  wire eq_1_s1 = {position_6_s1, position_2_s1, position_1_s1, or_2_s1} == 10'd0;  // units/send_packet.h:91
-  wire eq_2_s1 = position_6_s1 == 4'd0;  // units/send_packet.h:91
-  wire and_1_s1 = eq_2_s1 & (position_2_s1 == 4'd0);  // units/send_packet.h:91
-  wire [9:0] mux_4_s1 = {and_1_s1 ? {position_1_s1, or_2_s1} : position_6_s1[3:2], ~{8{and_1_s1}} & {position_6_s1[1:0], position_2_s1, position_1_s1, or_2_s1}};  // units/send_packet.h:91
-  wire mux_5_s1 = and_1_s1 ? ({position_1_s1, or_2_s1} == 2'd0) : eq_2_s1;  // units/send_packet.h:91
-  wire eq_6_s1 = {position_16_s1, position_12_s1, position_11_s1, or_1_s1} == 10'd0;  // units/send_packet.h:91
-  wire eq_7_s1 = position_16_s1 == 4'd0;  // units/send_packet.h:91
-  wire and_4_s1 = eq_7_s1 & (position_12_s1 == 4'd0);  // units/send_packet.h:91
-  wire [9:0] mux_12_s1 = {and_4_s1 ? {position_11_s1, or_1_s1} : position_16_s1[3:2], ~{8{and_4_s1}} & {position_16_s1[1:0], position_12_s1, position_11_s1, or_1_s1}};  // units/send_packet.h:91
-  wire mux_13_s1 = and_4_s1 ? ({position_11_s1, or_1_s1} == 2'd0) : eq_7_s1;  // units/send_packet.h:91
+  wire eq_1_s1 = {position_6_s1, position_2_s1, position_1_s1, or_2_s1} == 10'd0;  // units/send_packet.h:87
+  wire eq_2_s1 = position_6_s1 == 4'd0;  // units/send_packet.h:87
+  wire and_1_s1 = eq_2_s1 & (position_2_s1 == 4'd0);  // units/send_packet.h:87
+  wire [9:0] mux_4_s1 = {and_1_s1 ? {position_1_s1, or_2_s1} : position_6_s1[3:2], ~{8{and_1_s1}} & {position_6_s1[1:0], position_2_s1, position_1_s1, or_2_s1}};  // units/send_packet.h:87
+  wire mux_5_s1 = and_1_s1 ? ({position_1_s1, or_2_s1} == 2'd0) : eq_2_s1;  // units/send_packet.h:87
+  wire eq_6_s1 = {position_16_s1, position_12_s1, position_11_s1, or_1_s1} == 10'd0;  // units/send_packet.h:87
+  wire eq_7_s1 = position_16_s1 == 4'd0;  // units/send_packet.h:87
+  wire and_4_s1 = eq_7_s1 & (position_12_s1 == 4'd0);  // units/send_packet.h:87
+  wire [9:0] mux_12_s1 = {and_4_s1 ? {position_11_s1, or_1_s1} : position_16_s1[3:2], ~{8{and_4_s1}} & {position_16_s1[1:0], position_12_s1, position_11_s1, or_1_s1}};  // units/send_packet.h:87
+  wire mux_13_s1 = and_4_s1 ? ({position_11_s1, or_1_s1} == 2'd0) : eq_7_s1;  // units/send_packet.h:87
   wire not_5_s1 = ~point_s1;
-  wire level_s1 = j_job_kind_s1 == 2'd2;  // units/send_packet.h:78
-  wire eq_11_s1 = j_job_kind_s1 == 2'd0;  // units/send_packet.h:92
+  wire level_s1 = j_job_kind_s1 == 2'd2;  // units/send_packet.h:74
+  wire eq_11_s1 = j_job_kind_s1 == 2'd0;  // units/send_packet.h:88
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -115,26 +115,26 @@ module send_packet #(
     not_5_s2 <= not_5_s1;
     eq_11_s2 <= eq_11_s1;
   end
-  wire not_1_s2 = ~eq_1_s2;  // units/send_packet.h:91
-  wire [9:0] mux_6_s2 = {mux_5_s2 ? mux_4_s2[5:0] : mux_4_s2[9:4], ~{4{mux_5_s2}} & mux_4_s2[3:0]};  // units/send_packet.h:91
-  wire and_2_s2 = not_1_s2 & mux_5_s2;  // units/send_packet.h:91
-  wire eq_5_s2 = mux_6_s2[9:8] == 2'd0;  // units/send_packet.h:91
-  wire [9:0] mux_7_s2 = {eq_5_s2 ? mux_6_s2[7:0] : mux_6_s2[9:2], ~{2{eq_5_s2}} & mux_6_s2[1:0]};  // units/send_packet.h:91
-  wire and_3_s2 = not_1_s2 & (~mux_7_s2[9]);  // units/send_packet.h:91
-  wire [6:0] sub_1_s2 = 7'd72 - {3'd0, and_1_s2, and_2_s2, eq_5_s2, and_3_s2};  // units/send_packet.h:91
-  wire [9:0] mux_8_s2 = {and_2_s2 ? mux_4_s2[5:0] : mux_4_s2[9:4], ~{4{and_2_s2}} & mux_4_s2[3:0]};  // units/send_packet.h:91
-  wire [9:0] mux_9_s2 = {eq_5_s2 ? mux_8_s2[7:0] : mux_8_s2[9:2], ~{2{eq_5_s2}} & mux_8_s2[1:0]};  // units/send_packet.h:91
-  wire [9:0] mux_10_s2 = {and_3_s2 ? mux_9_s2[8:0] : mux_9_s2[9:1], ~and_3_s2 & mux_9_s2[0]};  // units/send_packet.h:91
-  wire not_3_s2 = ~eq_6_s2;  // units/send_packet.h:91
-  wire [9:0] mux_14_s2 = {mux_13_s2 ? mux_12_s2[5:0] : mux_12_s2[9:4], ~{4{mux_13_s2}} & mux_12_s2[3:0]};  // units/send_packet.h:91
-  wire and_5_s2 = not_3_s2 & mux_13_s2;  // units/send_packet.h:91
-  wire eq_10_s2 = mux_14_s2[9:8] == 2'd0;  // units/send_packet.h:91
-  wire [9:0] mux_15_s2 = {eq_10_s2 ? mux_14_s2[7:0] : mux_14_s2[9:2], ~{2{eq_10_s2}} & mux_14_s2[1:0]};  // units/send_packet.h:91
-  wire and_6_s2 = not_3_s2 & (~mux_15_s2[9]);  // units/send_packet.h:91
-  wire [6:0] sub_2_s2 = 7'd72 - {3'd0, and_4_s2, and_5_s2, eq_10_s2, and_6_s2};  // units/send_packet.h:91
-  wire [9:0] mux_16_s2 = {and_5_s2 ? mux_12_s2[5:0] : mux_12_s2[9:4], ~{4{and_5_s2}} & mux_12_s2[3:0]};  // units/send_packet.h:91
-  wire [9:0] mux_17_s2 = {eq_10_s2 ? mux_16_s2[7:0] : mux_16_s2[9:2], ~{2{eq_10_s2}} & mux_16_s2[1:0]};  // units/send_packet.h:91
-  wire [9:0] mux_18_s2 = {and_6_s2 ? mux_17_s2[8:0] : mux_17_s2[9:1], ~and_6_s2 & mux_17_s2[0]};  // units/send_packet.h:91
+  wire not_1_s2 = ~eq_1_s2;  // units/send_packet.h:87
+  wire [9:0] mux_6_s2 = {mux_5_s2 ? mux_4_s2[5:0] : mux_4_s2[9:4], ~{4{mux_5_s2}} & mux_4_s2[3:0]};  // units/send_packet.h:87
+  wire and_2_s2 = not_1_s2 & mux_5_s2;  // units/send_packet.h:87
+  wire eq_5_s2 = mux_6_s2[9:8] == 2'd0;  // units/send_packet.h:87
+  wire [9:0] mux_7_s2 = {eq_5_s2 ? mux_6_s2[7:0] : mux_6_s2[9:2], ~{2{eq_5_s2}} & mux_6_s2[1:0]};  // units/send_packet.h:87
+  wire and_3_s2 = not_1_s2 & (~mux_7_s2[9]);  // units/send_packet.h:87
+  wire [6:0] sub_1_s2 = 7'd72 - {3'd0, and_1_s2, and_2_s2, eq_5_s2, and_3_s2};  // units/send_packet.h:87
+  wire [9:0] mux_8_s2 = {and_2_s2 ? mux_4_s2[5:0] : mux_4_s2[9:4], ~{4{and_2_s2}} & mux_4_s2[3:0]};  // units/send_packet.h:87
+  wire [9:0] mux_9_s2 = {eq_5_s2 ? mux_8_s2[7:0] : mux_8_s2[9:2], ~{2{eq_5_s2}} & mux_8_s2[1:0]};  // units/send_packet.h:87
+  wire [9:0] mux_10_s2 = {and_3_s2 ? mux_9_s2[8:0] : mux_9_s2[9:1], ~and_3_s2 & mux_9_s2[0]};  // units/send_packet.h:87
+  wire not_3_s2 = ~eq_6_s2;  // units/send_packet.h:87
+  wire [9:0] mux_14_s2 = {mux_13_s2 ? mux_12_s2[5:0] : mux_12_s2[9:4], ~{4{mux_13_s2}} & mux_12_s2[3:0]};  // units/send_packet.h:87
+  wire and_5_s2 = not_3_s2 & mux_13_s2;  // units/send_packet.h:87
+  wire eq_10_s2 = mux_14_s2[9:8] == 2'd0;  // units/send_packet.h:87
+  wire [9:0] mux_15_s2 = {eq_10_s2 ? mux_14_s2[7:0] : mux_14_s2[9:2], ~{2{eq_10_s2}} & mux_14_s2[1:0]};  // units/send_packet.h:87
+  wire and_6_s2 = not_3_s2 & (~mux_15_s2[9]);  // units/send_packet.h:87
+  wire [6:0] sub_2_s2 = 7'd72 - {3'd0, and_4_s2, and_5_s2, eq_10_s2, and_6_s2};  // units/send_packet.h:87
+  wire [9:0] mux_16_s2 = {and_5_s2 ? mux_12_s2[5:0] : mux_12_s2[9:4], ~{4{and_5_s2}} & mux_12_s2[3:0]};  // units/send_packet.h:87
+  wire [9:0] mux_17_s2 = {eq_10_s2 ? mux_16_s2[7:0] : mux_16_s2[9:2], ~{2{eq_10_s2}} & mux_16_s2[1:0]};  // units/send_packet.h:87
+  wire [9:0] mux_18_s2 = {and_6_s2 ? mux_17_s2[8:0] : mux_17_s2[9:1], ~and_6_s2 & mux_17_s2[0]};  // units/send_packet.h:87
   wire [23:0] out_z_s2 = vectors_data_i[71:48];
   wire [23:0] vectors_24_s2 = vectors_data_i[47:24];
   wire [23:0] vectors_0_s2 = vectors_data_i[23:0];
@@ -168,11 +168,11 @@ module send_packet #(
     vectors_0_s3 <= vectors_0_s2;
     eq_11_s3 <= eq_11_s2;
   end
-  wire [15:0] mux_11_s3 = {16{mux_10_s3[9]}} & {sub_1_s3, mux_10_s3[8:0]};  // units/send_packet.h:91
-  wire [15:0] mux_19_s3 = {16{mux_18_s3[9]}} & {sub_2_s3, mux_18_s3[8:0]};  // units/send_packet.h:91
+  wire [15:0] mux_11_s3 = {16{mux_10_s3[9]}} & {sub_1_s3, mux_10_s3[8:0]};  // units/send_packet.h:87
+  wire [15:0] mux_19_s3 = {16{mux_18_s3[9]}} & {sub_2_s3, mux_18_s3[8:0]};  // units/send_packet.h:87
   wire [47:0] mux_20_s3 = {~{16{point_s3}} & mux_19_s3, point_s3 ? 16'd0 : 16'd0, ~{16{point_s3}} & mux_11_s3};
-  wire [55:0] mux_21_s3 = eq_11_s3 ? {1'd0, mux_20_s3, 7'd0} : {vectors_24_s3, 8'd0, vectors_0_s3};  // units/send_packet.h:92
-  wire [23:0] mux_22_s3 = {~{2{eq_11_s3}} & out_z_s3[23:22], eq_11_s3 ? {6{not_5_s3}} : out_z_s3[21:16], ~{16{eq_11_s3}} & out_z_s3[15:0]};  // units/send_packet.h:92
+  wire [55:0] mux_21_s3 = eq_11_s3 ? {1'd0, mux_20_s3, 7'd0} : {vectors_24_s3, 8'd0, vectors_0_s3};  // units/send_packet.h:88
+  wire [23:0] mux_22_s3 = {~{2{eq_11_s3}} & out_z_s3[23:22], eq_11_s3 ? {6{not_5_s3}} : out_z_s3[21:16], ~{16{eq_11_s3}} & out_z_s3[15:0]};  // units/send_packet.h:88
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(80), .DEPTH(VECTOR_DEPTH), .MARGIN(VECTOR_BOUNDED ? 0 : 3),

@@ -34,9 +34,9 @@ module traversal_slice #(
   assign fire_o = valid_s0;
   assign stall_o = tokens && !room;
   wire lane_1_config = lane_i[1];
-  wire [2:0] mux_1_config = lane_1_config ? 3'd4 : 3'd1;  // units/traversal_slice.h:53
+  wire [2:0] mux_1_config = lane_1_config ? 3'd4 : 3'd1;  // units/traversal_slice.h:54
   wire lane_0_config = lane_i[0];
-  wire [3:0] mux_2_config = {lane_0_config & mux_1_config[2], lane_0_config ? mux_1_config[1:0] : mux_1_config[2:1], ~lane_0_config & mux_1_config[0]};  // units/traversal_slice.h:53
+  wire [3:0] mux_2_config = {lane_0_config & mux_1_config[2], lane_0_config ? mux_1_config[1:0] : mux_1_config[2:1], ~lane_0_config & mux_1_config[0]};  // units/traversal_slice.h:54
   reg  [3:0] mux_2_still;
   always @(posedge clk_i) mux_2_still <= mux_2_config;
 
@@ -47,15 +47,15 @@ module traversal_slice #(
   wire [15:0] step_in_24_s0 = step_in_data_i[39:24];
   wire [6:0] step_in_40_s0 = step_in_data_i[46:40];
   wire step_in_47_s0 = step_in_data_i[47];
-  wire both_s0 = (s_context_both_s0 & mux_2_still) == 4'd0;  // units/traversal_slice.h:53
+  wire both_s0 = (s_context_both_s0 & mux_2_still) == 4'd0;  // units/traversal_slice.h:54
   wire [4:0] s_context_packet_s0 = step_in_data_i[4:0];
   wire step_in_5_s0 = step_in_data_i[5];
   wire [4:0] s_context_stack_s0 = step_in_data_i[21:17];
   wire [1:0] s_node_kind_s0 = step_in_data_i[23:22];
-  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:160
-  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:160
-  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:378
-  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:378
+  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:161
+  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:161
+  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:340
+  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:340
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -131,9 +131,9 @@ module traversal_slice #(
     ray_40_s2 <= ray_40_s1;
     ray_47_s2 <= ray_47_s1;
   end
-  wire [8:0] mux_38_s2 = ray_39_s2 ? 9'd256 : 9'd1;  // units/traversal_slice.h:132
-  wire [12:0] mux_39_s2 = {{4{ray_38_s2}} & mux_38_s2[8:5], ray_38_s2 ? mux_38_s2[4:0] : mux_38_s2[8:4], ~{4{ray_38_s2}} & mux_38_s2[3:0]};  // units/traversal_slice.h:132
-  wire [14:0] mux_40_s2 = {{2{ray_37_s2}} & mux_39_s2[12:11], ray_37_s2 ? mux_39_s2[10:0] : mux_39_s2[12:2], ~{2{ray_37_s2}} & mux_39_s2[1:0]};  // units/traversal_slice.h:132
+  wire [8:0] mux_38_s2 = ray_39_s2 ? 9'd256 : 9'd1;  // units/traversal_slice.h:133
+  wire [12:0] mux_39_s2 = {{4{ray_38_s2}} & mux_38_s2[8:5], ray_38_s2 ? mux_38_s2[4:0] : mux_38_s2[8:4], ~{4{ray_38_s2}} & mux_38_s2[3:0]};  // units/traversal_slice.h:133
+  wire [14:0] mux_40_s2 = {{2{ray_37_s2}} & mux_39_s2[12:11], ray_37_s2 ? mux_39_s2[10:0] : mux_39_s2[12:2], ~{2{ray_37_s2}} & mux_39_s2[1:0]};  // units/traversal_slice.h:133
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -176,34 +176,34 @@ module traversal_slice #(
     ray_40_s3 <= ray_40_s2;
     ray_47_s3 <= ray_47_s2;
   end
-  wire not_2_s3 = ~ray_23_s3;  // units/traversal_slice.h:138
-  wire lt_1_s3 = {step_in_40_s3, step_in_24_s3} < {ray_16_s3, ray_0_s3};  // units/traversal_slice.h:138
-  wire [6:0] mux_15_s3 = lt_1_s3 ? (ray_16_s3 - step_in_40_s3) : (step_in_40_s3 - ray_16_s3);  // units/traversal_slice.h:138
-  wire [23:0] mux_16_s3 = lt_1_s3 ? {not_2_s3, ray_16_s3, ray_0_s3} : {step_in_47_s3, step_in_40_s3, step_in_24_s3};  // units/traversal_slice.h:138
-  wire [15:0] mux_17_s3 = lt_1_s3 ? step_in_24_s3 : ray_0_s3;  // units/traversal_slice.h:138
-  wire [23:0] xor_1_s3 = {step_in_47_s3, step_in_40_s3, step_in_24_s3} ^ {ray_23_s3, ray_16_s3, ray_0_s3};  // units/traversal_slice.h:138
-  wire [15:0] mux_41_s3 = {ray_36_s3 & mux_40_s3[14], ray_36_s3 ? mux_40_s3[13:0] : mux_40_s3[14:1], ~ray_36_s3 & mux_40_s3[0]};  // units/traversal_slice.h:132
-  wire lt_2_s3 = 16'h6fff < {ray_39_s3, ray_38_s3, ray_37_s3, ray_36_s3, ray_29_s3, ray_24_s3};  // units/traversal_slice.h:132
-  wire eq_21_s3 = {mux_41_s3[9:7], 3'd0, mux_41_s3[3], 2'd0, mux_41_s3[0]} == 10'd0;  // units/traversal_slice.h:132
-  wire eq_22_s3 = {mux_41_s3[12:10], 2'd0, mux_41_s3[7], 2'd0, mux_41_s3[4], 2'd0, mux_41_s3[1:0]} == 13'd0;  // units/traversal_slice.h:132
-  wire eq_23_s3 = {mux_41_s3[14:13], 1'd0, mux_41_s3[11:10], 1'd0, mux_41_s3[8:7], 1'd0, mux_41_s3[5:3], 1'd0, mux_41_s3[1]} == 14'd0;  // units/traversal_slice.h:132
-  wire eq_24_s3 = {mux_41_s3[15], 1'd0, mux_41_s3[13], 2'd0, mux_41_s3[10:8], 2'd0, mux_41_s3[5:3]} == 13'd0;  // units/traversal_slice.h:132
-  wire not_14_s3 = ~eq_24_s3;  // units/traversal_slice.h:132
-  wire not_15_s3 = ~eq_23_s3;  // units/traversal_slice.h:132
-  wire not_16_s3 = ~eq_22_s3;  // units/traversal_slice.h:132
-  wire not_17_s3 = ~eq_21_s3;  // units/traversal_slice.h:132
-  wire not_18_s3 = ~({mux_41_s3[15:7], 4'd0, mux_41_s3[2:0]} == 16'd0);  // units/traversal_slice.h:132
-  wire not_19_s3 = ~lt_2_s3;  // units/traversal_slice.h:132
-  wire eq_25_s3 = {mux_41_s3[9:6], 3'd0, mux_41_s3[2:0]} == 10'd0;  // units/traversal_slice.h:132
-  wire eq_26_s3 = {mux_41_s3[12:10], 2'd0, mux_41_s3[7:6], 2'd0, mux_41_s3[3], 1'd0, mux_41_s3[1:0]} == 13'd0;  // units/traversal_slice.h:132
-  wire eq_27_s3 = {mux_41_s3[14:13], 2'd0, mux_41_s3[10], 1'd0, mux_41_s3[8], 1'd0, mux_41_s3[6], 1'd0, mux_41_s3[4], 3'd0, mux_41_s3[0]} == 15'd0;  // units/traversal_slice.h:132
-  wire eq_28_s3 = {mux_41_s3[15], 1'd0, mux_41_s3[13], 1'd0, mux_41_s3[11:10], 5'd0, mux_41_s3[4:3], 2'd0, mux_41_s3[0]} == 16'd0;  // units/traversal_slice.h:132
-  wire eq_29_s3 = {mux_41_s3[12:11], 1'd0, mux_41_s3[9:5], 1'd0, mux_41_s3[3:2], 1'd0, mux_41_s3[0]} == 13'd0;  // units/traversal_slice.h:132
-  wire eq_30_s3 = {mux_41_s3[13], 1'd0, mux_41_s3[11:9], 5'd0, mux_41_s3[3:2], 1'd0, mux_41_s3[0]} == 14'd0;  // units/traversal_slice.h:132
-  wire eq_31_s3 = {mux_41_s3[11], 1'd0, mux_41_s3[9:8], 2'd0, mux_41_s3[5:4], 2'd0, mux_41_s3[1:0]} == 12'd0;  // units/traversal_slice.h:132
-  wire eq_32_s3 = {mux_41_s3[14], 3'd0, mux_41_s3[10:9], 3'd0, mux_41_s3[5], 1'd0, mux_41_s3[3:0]} == 15'd0;  // units/traversal_slice.h:132
-  wire eq_33_s3 = {mux_41_s3[14:10], 4'd0, mux_41_s3[5:2]} == 13'd0;  // units/traversal_slice.h:132
-  wire eq_34_s3 = {mux_41_s3[15:12], 1'd0, mux_41_s3[10], 1'd0, mux_41_s3[8], 1'd0, mux_41_s3[6:3], 2'd0, mux_41_s3[0]} == 16'd0;  // units/traversal_slice.h:132
+  wire not_2_s3 = ~ray_23_s3;  // units/traversal_slice.h:139
+  wire lt_1_s3 = {step_in_40_s3, step_in_24_s3} < {ray_16_s3, ray_0_s3};  // units/traversal_slice.h:139
+  wire [6:0] mux_15_s3 = lt_1_s3 ? (ray_16_s3 - step_in_40_s3) : (step_in_40_s3 - ray_16_s3);  // units/traversal_slice.h:139
+  wire [23:0] mux_16_s3 = lt_1_s3 ? {not_2_s3, ray_16_s3, ray_0_s3} : {step_in_47_s3, step_in_40_s3, step_in_24_s3};  // units/traversal_slice.h:139
+  wire [15:0] mux_17_s3 = lt_1_s3 ? step_in_24_s3 : ray_0_s3;  // units/traversal_slice.h:139
+  wire [23:0] xor_1_s3 = {step_in_47_s3, step_in_40_s3, step_in_24_s3} ^ {ray_23_s3, ray_16_s3, ray_0_s3};  // units/traversal_slice.h:139
+  wire [15:0] mux_41_s3 = {ray_36_s3 & mux_40_s3[14], ray_36_s3 ? mux_40_s3[13:0] : mux_40_s3[14:1], ~ray_36_s3 & mux_40_s3[0]};  // units/traversal_slice.h:133
+  wire lt_2_s3 = 16'h6fff < {ray_39_s3, ray_38_s3, ray_37_s3, ray_36_s3, ray_29_s3, ray_24_s3};  // units/traversal_slice.h:133
+  wire eq_21_s3 = {mux_41_s3[9:7], 3'd0, mux_41_s3[3], 2'd0, mux_41_s3[0]} == 10'd0;  // units/traversal_slice.h:133
+  wire eq_22_s3 = {mux_41_s3[12:10], 2'd0, mux_41_s3[7], 2'd0, mux_41_s3[4], 2'd0, mux_41_s3[1:0]} == 13'd0;  // units/traversal_slice.h:133
+  wire eq_23_s3 = {mux_41_s3[14:13], 1'd0, mux_41_s3[11:10], 1'd0, mux_41_s3[8:7], 1'd0, mux_41_s3[5:3], 1'd0, mux_41_s3[1]} == 14'd0;  // units/traversal_slice.h:133
+  wire eq_24_s3 = {mux_41_s3[15], 1'd0, mux_41_s3[13], 2'd0, mux_41_s3[10:8], 2'd0, mux_41_s3[5:3]} == 13'd0;  // units/traversal_slice.h:133
+  wire not_14_s3 = ~eq_24_s3;  // units/traversal_slice.h:133
+  wire not_15_s3 = ~eq_23_s3;  // units/traversal_slice.h:133
+  wire not_16_s3 = ~eq_22_s3;  // units/traversal_slice.h:133
+  wire not_17_s3 = ~eq_21_s3;  // units/traversal_slice.h:133
+  wire not_18_s3 = ~({mux_41_s3[15:7], 4'd0, mux_41_s3[2:0]} == 16'd0);  // units/traversal_slice.h:133
+  wire not_19_s3 = ~lt_2_s3;  // units/traversal_slice.h:133
+  wire eq_25_s3 = {mux_41_s3[9:6], 3'd0, mux_41_s3[2:0]} == 10'd0;  // units/traversal_slice.h:133
+  wire eq_26_s3 = {mux_41_s3[12:10], 2'd0, mux_41_s3[7:6], 2'd0, mux_41_s3[3], 1'd0, mux_41_s3[1:0]} == 13'd0;  // units/traversal_slice.h:133
+  wire eq_27_s3 = {mux_41_s3[14:13], 2'd0, mux_41_s3[10], 1'd0, mux_41_s3[8], 1'd0, mux_41_s3[6], 1'd0, mux_41_s3[4], 3'd0, mux_41_s3[0]} == 15'd0;  // units/traversal_slice.h:133
+  wire eq_28_s3 = {mux_41_s3[15], 1'd0, mux_41_s3[13], 1'd0, mux_41_s3[11:10], 5'd0, mux_41_s3[4:3], 2'd0, mux_41_s3[0]} == 16'd0;  // units/traversal_slice.h:133
+  wire eq_29_s3 = {mux_41_s3[12:11], 1'd0, mux_41_s3[9:5], 1'd0, mux_41_s3[3:2], 1'd0, mux_41_s3[0]} == 13'd0;  // units/traversal_slice.h:133
+  wire eq_30_s3 = {mux_41_s3[13], 1'd0, mux_41_s3[11:9], 5'd0, mux_41_s3[3:2], 1'd0, mux_41_s3[0]} == 14'd0;  // units/traversal_slice.h:133
+  wire eq_31_s3 = {mux_41_s3[11], 1'd0, mux_41_s3[9:8], 2'd0, mux_41_s3[5:4], 2'd0, mux_41_s3[1:0]} == 12'd0;  // units/traversal_slice.h:133
+  wire eq_32_s3 = {mux_41_s3[14], 3'd0, mux_41_s3[10:9], 3'd0, mux_41_s3[5], 1'd0, mux_41_s3[3:0]} == 15'd0;  // units/traversal_slice.h:133
+  wire eq_33_s3 = {mux_41_s3[14:10], 4'd0, mux_41_s3[5:2]} == 13'd0;  // units/traversal_slice.h:133
+  wire eq_34_s3 = {mux_41_s3[15:12], 1'd0, mux_41_s3[10], 1'd0, mux_41_s3[8], 1'd0, mux_41_s3[6:3], 2'd0, mux_41_s3[0]} == 16'd0;  // units/traversal_slice.h:133
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -272,18 +272,18 @@ module traversal_slice #(
     ray_40_s4 <= ray_40_s3;
     ray_47_s4 <= ray_47_s3;
   end
-  wire [18:0] mux_18_s4 = {mux_15_s4[4] ? 1'd0 : 1'd1, ~{15{mux_15_s4[4]}} & mux_17_s4[15:1], mux_15_s4[4] | mux_17_s4[0], {2{mux_15_s4[4]}} & mux_17_s4[15:14]};  // units/traversal_slice.h:138
+  wire [18:0] mux_18_s4 = {mux_15_s4[4] ? 1'd0 : 1'd1, ~{15{mux_15_s4[4]}} & mux_17_s4[15:1], mux_15_s4[4] | mux_17_s4[0], {2{mux_15_s4[4]}} & mux_17_s4[15:14]};  // units/traversal_slice.h:139
   wire and_3_s4 = mux_15_s4[3] & (~(mux_18_s4[7:0] == 8'd0));
-  wire [18:0] mux_19_s4 = {~{8{mux_15_s4[3]}} & mux_18_s4[18:11], mux_15_s4[3] ? mux_18_s4[18:8] : mux_18_s4[10:0]};  // units/traversal_slice.h:138
-  wire [18:0] mux_20_s4 = {~{4{mux_15_s4[2]}} & mux_19_s4[18:15], mux_15_s4[2] ? mux_19_s4[18:4] : mux_19_s4[14:0]};  // units/traversal_slice.h:138
+  wire [18:0] mux_19_s4 = {~{8{mux_15_s4[3]}} & mux_18_s4[18:11], mux_15_s4[3] ? mux_18_s4[18:8] : mux_18_s4[10:0]};  // units/traversal_slice.h:139
+  wire [18:0] mux_20_s4 = {~{4{mux_15_s4[2]}} & mux_19_s4[18:15], mux_15_s4[2] ? mux_19_s4[18:4] : mux_19_s4[14:0]};  // units/traversal_slice.h:139
   wire and_5_s4 = mux_15_s4[1] & (~(mux_20_s4[1:0] == 2'd0));
-  wire [18:0] mux_21_s4 = {~{2{mux_15_s4[1]}} & mux_20_s4[18:17], mux_15_s4[1] ? mux_20_s4[18:2] : mux_20_s4[16:0]};  // units/traversal_slice.h:138
-  wire [18:0] mux_22_s4 = {~mux_15_s4[0] & mux_21_s4[18], mux_15_s4[0] ? mux_21_s4[18:1] : mux_21_s4[17:0]};  // units/traversal_slice.h:138
-  wire eq_10_s4 = mux_15_s4[6:5] == 2'd0;  // units/traversal_slice.h:138
-  wire or_1_s4 = (mux_15_s4[4] & (~(mux_17_s4[13:0] == 14'd0))) | (~eq_10_s4);  // units/traversal_slice.h:138
-  wire or_3_s4 = (mux_15_s4[2] & (~(mux_19_s4[3:0] == 4'd0))) | (mux_15_s4[0] & mux_21_s4[0]);  // units/traversal_slice.h:138
-  wire [18:0] mux_23_s4 = {19{eq_10_s4}} & mux_22_s4;  // units/traversal_slice.h:138
-  wire [12:0] mul_1_s4 = {not_19_s4, not_18_s4, not_17_s4, not_16_s4, not_15_s4, not_14_s4} * ray_29_s4;  // units/traversal_slice.h:132
+  wire [18:0] mux_21_s4 = {~{2{mux_15_s4[1]}} & mux_20_s4[18:17], mux_15_s4[1] ? mux_20_s4[18:2] : mux_20_s4[16:0]};  // units/traversal_slice.h:139
+  wire [18:0] mux_22_s4 = {~mux_15_s4[0] & mux_21_s4[18], mux_15_s4[0] ? mux_21_s4[18:1] : mux_21_s4[17:0]};  // units/traversal_slice.h:139
+  wire eq_10_s4 = mux_15_s4[6:5] == 2'd0;  // units/traversal_slice.h:139
+  wire or_1_s4 = (mux_15_s4[4] & (~(mux_17_s4[13:0] == 14'd0))) | (~eq_10_s4);  // units/traversal_slice.h:139
+  wire or_3_s4 = (mux_15_s4[2] & (~(mux_19_s4[3:0] == 4'd0))) | (mux_15_s4[0] & mux_21_s4[0]);  // units/traversal_slice.h:139
+  wire [18:0] mux_23_s4 = {19{eq_10_s4}} & mux_22_s4;  // units/traversal_slice.h:139
+  wire [12:0] mul_1_s4 = {not_19_s4, not_18_s4, not_17_s4, not_16_s4, not_15_s4, not_14_s4} * ray_29_s4;  // units/traversal_slice.h:133
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -348,23 +348,23 @@ module traversal_slice #(
     ray_40_s5 <= ray_40_s4;
     ray_47_s5 <= ray_47_s4;
   end
-  wire not_3_s5 = ~xor_1_s5;  // units/traversal_slice.h:138
-  wire or_5_s5 = or_3_s5 | (and_5_s5 | (and_3_s5 | or_1_s5));  // units/traversal_slice.h:138
-  wire [19:0] xor_2_s5 = {mux_23_s5, or_5_s5} ^ {20{not_3_s5}};  // units/traversal_slice.h:138
-  wire [21:0] add_1_s5 = {2'd1, mux_16_s5[15:0], 4'd1} + {not_3_s5, xor_2_s5, not_3_s5};  // units/traversal_slice.h:138
-  wire lt_3_s5 = 16'h5fff < {ray_39_s5, ray_38_s5, ray_37_s5, ray_36_s5, ray_29_s5, ray_24_s5};  // units/traversal_slice.h:132
-  wire not_20_s5 = ~eq_34_s5;  // units/traversal_slice.h:132
-  wire not_21_s5 = ~eq_33_s5;  // units/traversal_slice.h:132
-  wire not_22_s5 = ~eq_32_s5;  // units/traversal_slice.h:132
-  wire not_23_s5 = ~eq_31_s5;  // units/traversal_slice.h:132
-  wire not_24_s5 = ~eq_30_s5;  // units/traversal_slice.h:132
-  wire not_25_s5 = ~eq_29_s5;  // units/traversal_slice.h:132
-  wire not_26_s5 = ~eq_28_s5;  // units/traversal_slice.h:132
-  wire not_27_s5 = ~eq_27_s5;  // units/traversal_slice.h:132
-  wire not_28_s5 = ~eq_26_s5;  // units/traversal_slice.h:132
-  wire not_29_s5 = ~eq_25_s5;  // units/traversal_slice.h:132
-  wire not_30_s5 = ~lt_3_s5;  // units/traversal_slice.h:132
-  wire [11:0] sub_4_s5 = {1'd1, not_30_s5, not_29_s5, not_28_s5, not_27_s5, not_26_s5, not_25_s5, not_24_s5, not_23_s5, not_22_s5, not_21_s5, not_20_s5} - {4'd0, mul_1_s5};  // units/traversal_slice.h:132
+  wire not_3_s5 = ~xor_1_s5;  // units/traversal_slice.h:139
+  wire or_5_s5 = or_3_s5 | (and_5_s5 | (and_3_s5 | or_1_s5));  // units/traversal_slice.h:139
+  wire [19:0] xor_2_s5 = {mux_23_s5, or_5_s5} ^ {20{not_3_s5}};  // units/traversal_slice.h:139
+  wire [21:0] add_1_s5 = {2'd1, mux_16_s5[15:0], 4'd1} + {not_3_s5, xor_2_s5, not_3_s5};  // units/traversal_slice.h:139
+  wire lt_3_s5 = 16'h5fff < {ray_39_s5, ray_38_s5, ray_37_s5, ray_36_s5, ray_29_s5, ray_24_s5};  // units/traversal_slice.h:133
+  wire not_20_s5 = ~eq_34_s5;  // units/traversal_slice.h:133
+  wire not_21_s5 = ~eq_33_s5;  // units/traversal_slice.h:133
+  wire not_22_s5 = ~eq_32_s5;  // units/traversal_slice.h:133
+  wire not_23_s5 = ~eq_31_s5;  // units/traversal_slice.h:133
+  wire not_24_s5 = ~eq_30_s5;  // units/traversal_slice.h:133
+  wire not_25_s5 = ~eq_29_s5;  // units/traversal_slice.h:133
+  wire not_26_s5 = ~eq_28_s5;  // units/traversal_slice.h:133
+  wire not_27_s5 = ~eq_27_s5;  // units/traversal_slice.h:133
+  wire not_28_s5 = ~eq_26_s5;  // units/traversal_slice.h:133
+  wire not_29_s5 = ~eq_25_s5;  // units/traversal_slice.h:133
+  wire not_30_s5 = ~lt_3_s5;  // units/traversal_slice.h:133
+  wire [11:0] sub_4_s5 = {1'd1, not_30_s5, not_29_s5, not_28_s5, not_27_s5, not_26_s5, not_25_s5, not_24_s5, not_23_s5, not_22_s5, not_21_s5, not_20_s5} - {4'd0, mul_1_s5};  // units/traversal_slice.h:133
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -399,17 +399,17 @@ module traversal_slice #(
     ray_40_s6 <= ray_40_s5;
     ray_47_s6 <= ray_47_s5;
   end
-  wire eq_11_s6 = add_1_s6[21:2] == 20'd0;  // units/traversal_slice.h:138
-  wire eq_12_s6 = add_1_s6[21:18] == 4'd0;  // units/traversal_slice.h:138
-  wire eq_14_s6 = add_1_s6[13:10] == 4'd0;  // units/traversal_slice.h:138
-  wire eq_16_s6 = add_1_s6[5:2] == 4'd0;  // units/traversal_slice.h:138
-  wire and_7_s6 = eq_12_s6 & (add_1_s6[17:14] == 4'd0);  // units/traversal_slice.h:138
-  wire and_9_s6 = and_7_s6 & (eq_14_s6 & (add_1_s6[9:6] == 4'd0));  // units/traversal_slice.h:138
-  wire [19:0] mux_24_s6 = {and_9_s6 ? add_1_s6[5:2] : add_1_s6[21:18], ~{16{and_9_s6}} & add_1_s6[17:2]};  // units/traversal_slice.h:138
-  wire mux_26_s6 = and_9_s6 ? eq_16_s6 : and_7_s6;  // units/traversal_slice.h:138
-  wire [19:0] mux_27_s6 = {mux_26_s6 ? mux_24_s6[11:0] : mux_24_s6[19:8], ~{8{mux_26_s6}} & mux_24_s6[7:0]};  // units/traversal_slice.h:138
-  wire mux_28_s6 = mux_26_s6 ? (eq_14_s6 | and_9_s6) : (and_9_s6 ? eq_16_s6 : eq_12_s6);  // units/traversal_slice.h:138
-  wire [19:0] mul_2_s6 = {1'd1, ray_39_s6, ray_38_s6, ray_37_s6, ray_36_s6, ray_29_s6, ray_24_s6} * sub_4_s6;  // units/traversal_slice.h:132
+  wire eq_11_s6 = add_1_s6[21:2] == 20'd0;  // units/traversal_slice.h:139
+  wire eq_12_s6 = add_1_s6[21:18] == 4'd0;  // units/traversal_slice.h:139
+  wire eq_14_s6 = add_1_s6[13:10] == 4'd0;  // units/traversal_slice.h:139
+  wire eq_16_s6 = add_1_s6[5:2] == 4'd0;  // units/traversal_slice.h:139
+  wire and_7_s6 = eq_12_s6 & (add_1_s6[17:14] == 4'd0);  // units/traversal_slice.h:139
+  wire and_9_s6 = and_7_s6 & (eq_14_s6 & (add_1_s6[9:6] == 4'd0));  // units/traversal_slice.h:139
+  wire [19:0] mux_24_s6 = {and_9_s6 ? add_1_s6[5:2] : add_1_s6[21:18], ~{16{and_9_s6}} & add_1_s6[17:2]};  // units/traversal_slice.h:139
+  wire mux_26_s6 = and_9_s6 ? eq_16_s6 : and_7_s6;  // units/traversal_slice.h:139
+  wire [19:0] mux_27_s6 = {mux_26_s6 ? mux_24_s6[11:0] : mux_24_s6[19:8], ~{8{mux_26_s6}} & mux_24_s6[7:0]};  // units/traversal_slice.h:139
+  wire mux_28_s6 = mux_26_s6 ? (eq_14_s6 | and_9_s6) : (and_9_s6 ? eq_16_s6 : eq_12_s6);  // units/traversal_slice.h:139
+  wire [19:0] mul_2_s6 = {1'd1, ray_39_s6, ray_38_s6, ray_37_s6, ray_36_s6, ray_29_s6, ray_24_s6} * sub_4_s6;  // units/traversal_slice.h:133
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -458,19 +458,19 @@ module traversal_slice #(
     ray_40_s7 <= ray_40_s6;
     ray_47_s7 <= ray_47_s6;
   end
-  wire not_9_s7 = ~eq_11_s7;  // units/traversal_slice.h:138
-  wire and_10_s7 = not_9_s7 & mux_26_s7;  // units/traversal_slice.h:138
-  wire [19:0] mux_29_s7 = {mux_28_s7 ? mux_27_s7[15:0] : mux_27_s7[19:4], ~{4{mux_28_s7}} & mux_27_s7[3:0]};  // units/traversal_slice.h:138
-  wire eq_17_s7 = mux_29_s7[19:18] == 2'd0;  // units/traversal_slice.h:138
-  wire [19:0] mux_30_s7 = {eq_17_s7 ? mux_29_s7[17:0] : mux_29_s7[19:2], ~{2{eq_17_s7}} & mux_29_s7[1:0]};  // units/traversal_slice.h:138
-  wire and_11_s7 = not_9_s7 & eq_17_s7;  // units/traversal_slice.h:138
-  wire and_12_s7 = not_9_s7 & (~mux_30_s7[19]);  // units/traversal_slice.h:138
-  wire [19:0] mux_31_s7 = {and_10_s7 ? mux_24_s7[11:0] : mux_24_s7[19:8], ~{8{and_10_s7}} & mux_24_s7[7:0]};  // units/traversal_slice.h:138
-  wire [19:0] mux_32_s7 = {mux_28_s7 ? mux_31_s7[15:0] : mux_31_s7[19:4], ~{4{mux_28_s7}} & mux_31_s7[3:0]};  // units/traversal_slice.h:138
-  wire [19:0] mux_33_s7 = {and_11_s7 ? mux_32_s7[17:0] : mux_32_s7[19:2], ~{2{and_11_s7}} & mux_32_s7[1:0]};  // units/traversal_slice.h:138
-  wire [19:0] mux_34_s7 = {and_12_s7 ? mux_33_s7[18:0] : mux_33_s7[19:1], ~and_12_s7 & mux_33_s7[0]};  // units/traversal_slice.h:138
-  wire [8:0] sub_3_s7 = {2'd0, mux_16_s7[22:16]} - {4'd0, and_9_s7, and_10_s7, mux_28_s7, and_11_s7, and_12_s7};  // units/traversal_slice.h:138
-  wire eq_18_s7 = mux_34_s7[2:0] == 3'd4;  // units/traversal_slice.h:138
+  wire not_9_s7 = ~eq_11_s7;  // units/traversal_slice.h:139
+  wire and_10_s7 = not_9_s7 & mux_26_s7;  // units/traversal_slice.h:139
+  wire [19:0] mux_29_s7 = {mux_28_s7 ? mux_27_s7[15:0] : mux_27_s7[19:4], ~{4{mux_28_s7}} & mux_27_s7[3:0]};  // units/traversal_slice.h:139
+  wire eq_17_s7 = mux_29_s7[19:18] == 2'd0;  // units/traversal_slice.h:139
+  wire [19:0] mux_30_s7 = {eq_17_s7 ? mux_29_s7[17:0] : mux_29_s7[19:2], ~{2{eq_17_s7}} & mux_29_s7[1:0]};  // units/traversal_slice.h:139
+  wire and_11_s7 = not_9_s7 & eq_17_s7;  // units/traversal_slice.h:139
+  wire and_12_s7 = not_9_s7 & (~mux_30_s7[19]);  // units/traversal_slice.h:139
+  wire [19:0] mux_31_s7 = {and_10_s7 ? mux_24_s7[11:0] : mux_24_s7[19:8], ~{8{and_10_s7}} & mux_24_s7[7:0]};  // units/traversal_slice.h:139
+  wire [19:0] mux_32_s7 = {mux_28_s7 ? mux_31_s7[15:0] : mux_31_s7[19:4], ~{4{mux_28_s7}} & mux_31_s7[3:0]};  // units/traversal_slice.h:139
+  wire [19:0] mux_33_s7 = {and_11_s7 ? mux_32_s7[17:0] : mux_32_s7[19:2], ~{2{and_11_s7}} & mux_32_s7[1:0]};  // units/traversal_slice.h:139
+  wire [19:0] mux_34_s7 = {and_12_s7 ? mux_33_s7[18:0] : mux_33_s7[19:1], ~and_12_s7 & mux_33_s7[0]};  // units/traversal_slice.h:139
+  wire [8:0] sub_3_s7 = {2'd0, mux_16_s7[22:16]} - {4'd0, and_9_s7, and_10_s7, mux_28_s7, and_11_s7, and_12_s7};  // units/traversal_slice.h:139
+  wire eq_18_s7 = mux_34_s7[2:0] == 3'd4;  // units/traversal_slice.h:139
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -513,14 +513,14 @@ module traversal_slice #(
     ray_40_s8 <= ray_40_s7;
     ray_47_s8 <= ray_47_s7;
   end
-  wire or_7_s8 = add_1_s8 | (~eq_18_s8);  // units/traversal_slice.h:138
-  wire not_12_s8 = ~(((or_7_s8 ? 2'd1 : 2'd2) & mux_34_s8[3:2]) == 2'd0);  // units/traversal_slice.h:138
-  wire [24:0] add_2_s8 = {sub_3_s8, 15'd0, not_12_s8} + {8'd0, mux_34_s8[19:3]};  // units/traversal_slice.h:138
-  wire and_14_s8 = mux_34_s8[19] & (~add_2_s8[24]);  // units/traversal_slice.h:138
-  wire [22:0] mux_36_s8 = {23{add_2_s8[23]}} | add_2_s8[22:0];  // units/traversal_slice.h:138
-  wire [22:0] mux_37_s8 = {23{and_14_s8}} & mux_36_s8;  // units/traversal_slice.h:138
-  wire left_first_s8 = mux_34_s8[19] & mux_16_s8;  // units/traversal_slice.h:138
-  wire [30:0] mul_3_s8 = $signed({1'd0, sub_4_s8}) * $signed({mul_2_s8, 6'd63});  // units/traversal_slice.h:132
+  wire or_7_s8 = add_1_s8 | (~eq_18_s8);  // units/traversal_slice.h:139
+  wire not_12_s8 = ~(((or_7_s8 ? 2'd1 : 2'd2) & mux_34_s8[3:2]) == 2'd0);  // units/traversal_slice.h:139
+  wire [24:0] add_2_s8 = {sub_3_s8, 15'd0, not_12_s8} + {8'd0, mux_34_s8[19:3]};  // units/traversal_slice.h:139
+  wire and_14_s8 = mux_34_s8[19] & (~add_2_s8[24]);  // units/traversal_slice.h:139
+  wire [22:0] mux_36_s8 = {23{add_2_s8[23]}} | add_2_s8[22:0];  // units/traversal_slice.h:139
+  wire [22:0] mux_37_s8 = {23{and_14_s8}} & mux_36_s8;  // units/traversal_slice.h:139
+  wire left_first_s8 = mux_34_s8[19] & mux_16_s8;  // units/traversal_slice.h:139
+  wire [30:0] mul_3_s8 = $signed({1'd0, sub_4_s8}) * $signed({mul_2_s8, 6'd63});  // units/traversal_slice.h:133
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -557,10 +557,10 @@ module traversal_slice #(
     ray_40_s9 <= ray_40_s8;
     ray_47_s9 <= ray_47_s8;
   end
-  wire [18:0] sub_5_s9 = {sub_4_s9, 7'd0} - {{7{mul_3_s9[30]}}, mul_3_s9, 1'd1};  // units/traversal_slice.h:132
-  wire lt_4_s9 = {1'd1, mux_37_s9[15:0]} < {1'd1, ray_39_s9, ray_38_s9, ray_37_s9, ray_36_s9, ray_29_s9, ray_24_s9};  // units/traversal_slice.h:132
-  wire [17:0] mux_42_s9 = {lt_4_s9 ? 1'd1 : 1'd0, ~lt_4_s9 | mux_37_s9[15], lt_4_s9 ? mux_37_s9[14:0] : mux_37_s9[15:1], ~lt_4_s9 & mux_37_s9[0]};  // units/traversal_slice.h:132
-  wire [7:0] sub_6_s9 = {1'd0, mux_37_s9[22:16]} - {1'd0, ray_40_s9};  // units/traversal_slice.h:132
+  wire [18:0] sub_5_s9 = {sub_4_s9, 7'd0} - {{7{mul_3_s9[30]}}, mul_3_s9, 1'd1};  // units/traversal_slice.h:133
+  wire lt_4_s9 = {1'd1, mux_37_s9[15:0]} < {1'd1, ray_39_s9, ray_38_s9, ray_37_s9, ray_36_s9, ray_29_s9, ray_24_s9};  // units/traversal_slice.h:133
+  wire [17:0] mux_42_s9 = {lt_4_s9 ? 1'd1 : 1'd0, ~lt_4_s9 | mux_37_s9[15], lt_4_s9 ? mux_37_s9[14:0] : mux_37_s9[15:1], ~lt_4_s9 & mux_37_s9[0]};  // units/traversal_slice.h:133
+  wire [7:0] sub_6_s9 = {1'd0, mux_37_s9[22:16]} - {1'd0, ray_40_s9};  // units/traversal_slice.h:133
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -604,7 +604,7 @@ module traversal_slice #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({s_context_packet_s1, step_in_5_s1, s_context_stack_s1}),
     .data_o({s_context_packet_s10, step_in_5_s10, s_context_stack_s10}));
-  wire [34:0] mul_4_s10 = mux_42_s10 * sub_5_s10;  // units/traversal_slice.h:132
+  wire [34:0] mul_4_s10 = mux_42_s10 * sub_5_s10;  // units/traversal_slice.h:133
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -695,9 +695,9 @@ module traversal_slice #(
   wire [23:0] before_plane_s12 = interval_row[71:48];
   wire [23:0] far_stack_row;
   wire [23:0] popped_far_s12 = far_stack_row;
-  wire [19:0] mul_5_s12 = {1'd1, ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12} * mul_4_s12;  // units/traversal_slice.h:132
-  wire [16:0] mux_43_s12 = {mul_4_s12[17] ? 1'd0 : 1'd1, ~{16{mul_4_s12[17]}} & {ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12}};  // units/traversal_slice.h:132
-  wire [17:0] add_3_s12 = {2'd1, ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12} + {2'd0, mux_43_s12[16:1]};  // units/traversal_slice.h:132
+  wire [19:0] mul_5_s12 = {1'd1, ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12} * mul_4_s12;  // units/traversal_slice.h:133
+  wire [16:0] mux_43_s12 = {mul_4_s12[17] ? 1'd0 : 1'd1, ~{16{mul_4_s12[17]}} & {ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12}};  // units/traversal_slice.h:133
+  wire [17:0] add_3_s12 = {2'd1, ray_39_s12, ray_38_s12, ray_37_s12, ray_36_s12, ray_29_s12, ray_24_s12} + {2'd0, mux_43_s12[16:1]};  // units/traversal_slice.h:133
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -754,19 +754,19 @@ module traversal_slice #(
     sub_6_s13 <= sub_6_s12;
     ray_47_s13 <= ray_47_s12;
   end
-  wire eq_1_s13 = {step_in_8_s13, step_in_6_s13} == 3'd0;  // units/traversal_slice.h:67
+  wire eq_1_s13 = {step_in_8_s13, step_in_6_s13} == 3'd0;  // units/traversal_slice.h:68
   wire eq_2_s13 = {step_in_8_s13, step_in_6_s13} == 3'd3;
   wire eq_3_s13 = {step_in_8_s13, step_in_6_s13} == 3'd4;
   wire [23:0] mux_5_s13 = step_in_8_s13 ? (eq_3_s13 ? far_s13 : near_s13) : (eq_2_s13 ? before_plane_s13 : near_s13);
   wire [23:0] mux_10_s13 = step_in_8_s13 ? (eq_3_s13 ? popped_far_s13 : before_plane_s13) : (eq_2_s13 ? far_s13 : before_plane_s13);
-  wire [19:0] not_31_s13 = ~{mux_42_s13, 17'd0};  // units/traversal_slice.h:132
-  wire [19:0] add_4_s13 = {4'd1, ray_39_s13, ray_38_s13, ray_37_s13, ray_36_s13, ray_29_s13, ray_24_s13} + not_31_s13;  // units/traversal_slice.h:132
-  wire [19:0] add_5_s13 = mul_5_s13 + add_4_s13;  // units/traversal_slice.h:132
-  wire [19:0] add_7_s13 = mul_5_s13 + ({1'd0, add_3_s13, mux_43_s13} + not_31_s13);  // units/traversal_slice.h:132
-  wire not_32_s13 = ~lt_4_s13;  // units/traversal_slice.h:132
-  wire [8:0] add_8_s13 = {sub_6_s13[7], sub_6_s13} + {8'd31, not_32_s13};  // units/traversal_slice.h:132
+  wire [19:0] not_31_s13 = ~{mux_42_s13, 17'd0};  // units/traversal_slice.h:133
+  wire [19:0] add_4_s13 = {4'd1, ray_39_s13, ray_38_s13, ray_37_s13, ray_36_s13, ray_29_s13, ray_24_s13} + not_31_s13;  // units/traversal_slice.h:133
+  wire [19:0] add_5_s13 = mul_5_s13 + add_4_s13;  // units/traversal_slice.h:133
+  wire [19:0] add_7_s13 = mul_5_s13 + ({1'd0, add_3_s13, mux_43_s13} + not_31_s13);  // units/traversal_slice.h:133
+  wire not_32_s13 = ~lt_4_s13;  // units/traversal_slice.h:133
+  wire [8:0] add_8_s13 = {sub_6_s13[7], sub_6_s13} + {8'd31, not_32_s13};  // units/traversal_slice.h:133
   wire lt_5_s13 = mul_4_s13[33:18] < 16'hfffe;
-  wire eq_36_s13 = {step_in_8_s13, step_in_6_s13} == 3'd2;  // units/traversal_slice.h:59
+  wire eq_36_s13 = {step_in_8_s13, step_in_6_s13} == 3'd2;  // units/traversal_slice.h:60
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -811,14 +811,14 @@ module traversal_slice #(
   wire [23:0] mux_6_s14 = both_s14 ? near_s14 : mux_5_s14;
   wire [23:0] mux_7_s14 = ~{24{eq_1_s14}} & mux_6_s14;
   wire [23:0] mux_12_s14 = eq_1_s14 ? hit_s14 : (both_s14 ? far_s14 : mux_10_s14);
-  wire or_8_s14 = mul_4_s14[17] | add_5_s14;  // units/traversal_slice.h:132
-  wire not_33_s14 = ~mul_4_s14[34];  // units/traversal_slice.h:132
+  wire or_8_s14 = mul_4_s14[17] | add_5_s14;  // units/traversal_slice.h:133
+  wire not_33_s14 = ~mul_4_s14[34];  // units/traversal_slice.h:133
   wire and_15_s14 = (or_8_s14 | mul_4_s14[18]) & (~(lt_5_s14 | (not_33_s14 | (~(add_8_s14[6:0] == 7'd127)))));
   wire or_12_s14 = add_8_s14[7] | and_15_s14;
-  wire [23:0] add_9_s14 = {add_8_s14[6:0], 15'd0, or_8_s14, 1'd1} + {{7{not_33_s14}}, mul_4_s14[33:18], add_7_s14};  // units/traversal_slice.h:132
-  wire [22:0] mux_44_s14 = {23{or_12_s14}} | add_9_s14[23:1];  // units/traversal_slice.h:132
-  wire [22:0] mux_45_s14 = ~{23{add_8_s14[8]}} & mux_44_s14;  // units/traversal_slice.h:132
-  wire [23:0] or_13_s14 = hit_s14 | mux_7_s14;  // units/traversal_slice.h:112
+  wire [23:0] add_9_s14 = {add_8_s14[6:0], 15'd0, or_8_s14, 1'd1} + {{7{not_33_s14}}, mul_4_s14[33:18], add_7_s14};  // units/traversal_slice.h:133
+  wire [22:0] mux_44_s14 = {23{or_12_s14}} | add_9_s14[23:1];  // units/traversal_slice.h:133
+  wire [22:0] mux_45_s14 = ~{23{add_8_s14[8]}} & mux_44_s14;  // units/traversal_slice.h:133
+  wire [23:0] or_13_s14 = hit_s14 | mux_7_s14;  // units/traversal_slice.h:113
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -845,10 +845,10 @@ module traversal_slice #(
     mux_45_s15 <= mux_45_s14;
     or_13_s15 <= or_13_s14[23];
   end
-  wire behind_s15 = left_first_s15 ^ ray_47_s15;  // units/traversal_slice.h:132
-  wire not_36_s15 = ~({behind_s15, mux_45_s15, 1'd0} < {mux_7_s15, mux_7_s15[23]});  // units/traversal_slice.h:105
+  wire behind_s15 = left_first_s15 ^ ray_47_s15;  // units/traversal_slice.h:133
+  wire not_36_s15 = ~({behind_s15, mux_45_s15, 1'd0} < {mux_7_s15, mux_7_s15[23]});  // units/traversal_slice.h:106
   wire go_near_s15 = behind_s15 | (mux_7_s15[23] ^ not_36_s15);
-  wire lt_7_s15 = {mux_12_s15, 1'd0} < {behind_s15, mux_45_s15, mux_12_s15[23]};  // units/traversal_slice.h:106
+  wire lt_7_s15 = {mux_12_s15, 1'd0} < {behind_s15, mux_45_s15, mux_12_s15[23]};  // units/traversal_slice.h:107
   wire go_far_s15 = (mux_12_s15[23] ^ (~lt_7_s15)) & (~behind_s15);
   wire out_terminated_s15 = (~eq_1_s15) & (or_13_s15 ^ ({hit_s15, 1'd0} < {mux_7_s15, or_13_s15}));
 
@@ -865,9 +865,9 @@ module traversal_slice #(
     go_far_s16 <= go_far_s15;
     out_terminated_s16 <= out_terminated_s15;
   end
-  wire left_first_2_s16 = ~left_first_s16;  // units/traversal_slice.h:103
-  wire out_go_right_s16 = left_first_s16 ? go_near_s16 : go_far_s16;  // units/traversal_slice.h:111
-  wire out_go_left_s16 = left_first_s16 ? go_far_s16 : go_near_s16;  // units/traversal_slice.h:110
+  wire left_first_2_s16 = ~left_first_s16;  // units/traversal_slice.h:104
+  wire out_go_right_s16 = left_first_s16 ? go_near_s16 : go_far_s16;  // units/traversal_slice.h:112
+  wire out_go_left_s16 = left_first_s16 ? go_far_s16 : go_near_s16;  // units/traversal_slice.h:111
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(4), .DEPTH(DECISION_DEPTH), .MARGIN(DECISION_BOUNDED ? 0 : 16),

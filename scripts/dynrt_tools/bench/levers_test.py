@@ -15,7 +15,7 @@ from dynrt_tools.project import ROOT, Failed, Json, read_json
 CONFIGURATIONS: list[Json] = [
     {"name": "full", "packets": 64},
     {"name": "fast", "like": "full", "about": "a", "rtl": False, "lines": 8, "lights": 2},
-    {"name": "fast_watertight", "like": "fast", "triangle_test": "watertight_common"},
+    {"name": "fast_watertight", "like": "fast", "triangle_test": "watertight"},
 ]
 MEASURED = {
     "clocks": 4000,
@@ -31,9 +31,7 @@ class Levers(unittest.TestCase):
             [step.name for step in steps], ["full", "lines", "lights", "triangle_test"]
         )
         self.assertEqual(steps[2].keys, {"lines": 8, "lights": 2})
-        self.assertEqual(
-            steps[3].keys, {"lines": 8, "lights": 2, "triangle_test": "watertight_common"}
-        )
+        self.assertEqual(steps[3].keys, {"lines": 8, "lights": 2, "triangle_test": "watertight"})
 
     def test_fast_comes_from_full(self) -> None:
         with self.assertRaisesRegex(RunFailed, "fast is like thesis, not like full"):

@@ -60,12 +60,9 @@ ROWS = (
     ),
     *one_key("ways", 1, 4),
     *one_key("second_level", 0, 16, 128),
-    *one_key("second_line", 32),
-    *one_key("line_nodes", 1),
-    Row("line_nodes 4", (("line_nodes", 4), ("second_line", 32))),  # a line lies in another
+    *one_key("line_nodes", 1, 4),
     *one_key("triangle_matrix", "normal_consistent"),
-    *one_key("port_bytes", 8),
-    Row("port_bytes 32", (("port_bytes", 32), ("second_line", 32))),  # a line is a beat or more
+    *one_key("port_bytes", 8, 32),
     *one_key("pipelines", 2, 4),
     Row("pipelines 4, ways 4", (("pipelines", 4), ("ways", 4))),
 )

@@ -90,9 +90,7 @@ class Dynrt:
 # goes through the transformation for every item, and a leaf is a node.
 TELLING = {
     "packet_rays": 4,
-    "rays_sent": "traced",
-    "leaves": "nodes",
-    "object_box": "nodes",
+    "datapath": "thesis",
     "lights": 0,
     "reflections": 0,
     "triangle_test": "unit_triangle",

@@ -25,6 +25,13 @@ FRAMES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
 )
 
 
+# Those of them that are as another configuration but for a key.
+VARIANTS = {
+    "whitted_naive": {"like": "whitted", "crossing": "none"},
+    "whitted_split": {"like": "whitted", "crossing": "split"},
+}
+
+
 def row(scene: str, configuration: str, report: project.Json) -> project.Json:
     """The figures of a frame that the page shows."""
     frame = report["frame"]
@@ -49,7 +56,11 @@ def render(
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "frame.json"
         command = [str(build / "dynrt"), "render", scene, "--board", "model", "--size", SIZE]
-        command += ["--config", configuration, "--json", str(path), *flags]
+        named = configuration
+        if configuration in VARIANTS:
+            named = str(pathlib.Path(folder) / f"{configuration}.json")
+            project.write_json(pathlib.Path(named), VARIANTS[configuration])
+        command += ["--config", named, "--json", str(path), *flags]
         command += ["--out", str(path.with_suffix(".png"))]
         if schedules.is_dir():
             command += ["--schedule", str(schedules)]

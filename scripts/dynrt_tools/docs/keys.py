@@ -55,9 +55,8 @@ def keys_page() -> str:
         "|---|---|---|",
     ]
     for rule in package.RULES:
-        lines.append(
-            f"| `{rule.key}` is {shown(rule.value)} | `{rule.other}` is {rule.wants} | {rule.why} |"
-        )
+        given = " and ".join(f"`{key}` is {shown(value)}" for key, value in rule.given.items())
+        lines.append(f"| {given} | `{rule.other}` is {rule.wants} | {rule.why} |")
     lines += [
         "",
         "## How to state a key",

@@ -75,7 +75,7 @@ def frame_fields(text: str) -> Iterator[tuple[str, str, str]]:
         if not found:
             continue
         meaning = pending.partition("///<")[2].strip() or above
-        yield found[2], (found[1] or "").replace("C::", ""), meaning
+        yield found[2], (found[1] or "").replace("C::", "").replace("<C>", ""), meaning
         above = pending = ""
 
 

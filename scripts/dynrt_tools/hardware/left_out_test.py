@@ -24,7 +24,6 @@ UNITS: dict[str, set[str]] = {
     "world_box": {"fast", "fast_lit", "fast_watertight"},
     "ray_reciprocal": {"fast", "fast_lit", "fast_watertight"},
     "ray_shear": {"watertight"},
-    "box_clip": set(),
 }
 WHOLE = ("thesis", "full", "fast", "fast_lit", "fast_watertight", "watertight", "whitted")
 
@@ -32,12 +31,10 @@ WHOLE = ("thesis", "full", "fast", "fast_lit", "fast_watertight", "watertight", 
 # of the one that is named (numbers are compared with zero by their signs).
 PARTS = {
     "tolerance at a triangle's edges": ("intersection", "thesis", "slack", "lt"),
-    "spheres": ("intersection", "thesis", "balls"),
-    "spheres beside rectangles": ("intersection", "boards", "primitives"),
-    "rectangles": ("intersection", "thesis", "boards"),
-    "rectangles beside spheres": ("intersection", "balls", "primitives"),
+    "spheres beside rectangles": ("intersection", "slack", "primitives"),
+    "rectangles": ("intersection", "thesis", "slack"),
     "memory of children that crossing rays want first": ("packet_decision", "thesis", "whitted"),
-    "packets split where rays cross": ("packet_decoder", "thesis", "whitted_split"),
+    "packets split where rays cross": ("packet_decoder", "thesis", "split"),
     "slots for objects": ("packet_mailbox", "lean", "thesis"),
     "slots for objects and triangles": ("packet_mailbox", "one_level", "lean"),
     "a second level": ("node_fetch", "one_level", "thesis"),

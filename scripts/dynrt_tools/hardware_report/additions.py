@@ -38,11 +38,9 @@ class Addition:
         return {**bare, **self.without}, having
 
 
-BOXLESS: Point = {"object_box": "nodes"}
 ADDITIONS = (
-    Addition("boxes of objects, tested in the world", "fast", BOXLESS),
-    # A box is tested with the reciprocals, so neither core has one.
-    Addition("reciprocals", "fast", {**BOXLESS, "divider": "quotient"}, BOXLESS),
+    # A plane's distance, boxes of objects and short stacks go with it.
+    Addition("one origin for the rays of a packet", "fast", {"origins": "each"}),
     Addition("a line in each of two ways", "fast_port", {"ways": 1}),
     Addition("four ways, not two", "fast_port", {}, {"ways": 4}),
     Addition("a second level of 64 KB", "fast_port", {"second_level": 0}),

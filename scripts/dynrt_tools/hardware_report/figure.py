@@ -68,12 +68,13 @@ class Axis:
         rules = [
             rule
             for rule in configs.load_configurations().RULES
-            if rule.other == self.along and configuration.get(rule.key) == rule.value
+            if rule.other == self.along
+            and all(configuration.get(key) == value for key, value in rule.given.items())
         ]
         return [
             value
             for value in self.values
-            if (most is None or value <= most) and all(rule.allows(value) for rule in rules)
+            if (most is None or value <= most) and all(rule.wants.allows(value) for rule in rules)
         ]
 
 

@@ -71,15 +71,12 @@ class Figures(unittest.TestCase):
         self.assertEqual(widths, [2, 4, 8, 16, 32])
         axis = by_name["7.11"].axis_of(port)
         self.assertEqual([axis.x_of(w) for w in axis.values], [170, 340, 680, 1360, 2720])
-        # A set has a line in each way, and a line of the second level is a beat or more.
+        # A set has a line in each way.
         lines = {int(point["lines"]) for point in points.points(port, (by_name["7.5 and 7.10"],))}
         self.assertEqual(lines, {2, 4})
         paired: Json = {**port, "lines": 32, "line_nodes": 2}
         hits = points.points(paired, (by_name["7.5 and 7.10"],))
         self.assertEqual({int(point["lines"]) for point in hits}, {16, 32})
-        wide: Json = {"second_level": 64, "second_line": 16, **port}
-        self.assertEqual(points.core_at(wide, bandwidth[-1])["second_line"], 32)
-        self.assertEqual(points.core_at(wide, bandwidth[1])["second_line"], 16)
 
     def test_what_a_quarter_of_a_port_costs(self) -> None:
         port: Json = {"packets": 4, "lines": 4, "memory": "port", "port_bytes": 16}

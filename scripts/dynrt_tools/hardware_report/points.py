@@ -80,11 +80,8 @@ def made_point(configuration: Json) -> Point:
 
 
 def core_at(configuration: Json, point: Point) -> Json:
-    """The keys of the point's core. A line of the second level is a beat of the port or more."""
-    found = {**configuration, **keys_of(point)}
-    if is_behind_port(found) and found.get("second_line", 0) < own_value(found, "port_bytes"):
-        found["second_line"] = own_value(found, "port_bytes")
-    return found
+    """The keys of the point's core."""
+    return {**configuration, **keys_of(point)}
 
 
 def core_of(configuration: str, point: Point, scene: str = "{scene}") -> str:

@@ -47,7 +47,7 @@ def read_variants(path: pathlib.Path, base: Json, leave_out: bool = False) -> di
     """By name, in the file's order: every key of its configuration, and those that differ from
     `base`. `like` stands for all in which that configuration differs from the first. One of the
     variants, the reference, differs in none. With `leave_out` those are left out whose keys the
-    base's exclude; else they are refused."""
+    base's exclude, else they are refused, and those that are as one before them."""
     generate = configs.load_configurations()
     try:
         listed = generate.parse(path)
@@ -69,6 +69,9 @@ def read_variants(path: pathlib.Path, base: Json, leave_out: bool = False) -> di
                     continue
                 sentence = str(error).removeprefix("configuration 'variant'")
                 raise generate.Refused(f"variant '{name}'{sentence}") from error
+            known = [v["configuration"] | {"about": name} for v in variants.values()]
+            if leave_out and config in known:
+                continue
             variants[name] = {"configuration": config, "differs": differs}
         if sum(not v["differs"] for v in variants.values()) != 1:
             raise generate.Refused(

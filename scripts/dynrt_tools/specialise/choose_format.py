@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The bits of the float and its divider, by the error that the user allows: what `dynrt choose`
+"""The bits of the float and the datapath, by the error that the user allows: what `dynrt choose`
 finds among the formats."""
 
 import argparse
@@ -13,7 +13,7 @@ from dynrt_tools.specialise.decisions import Measured
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
 SIZE = "512x384"  # of a frame, unless --size says another
-KEYS = ("exponent_bits", "mantissa_bits", "rounding", "divider")
+KEYS = ("exponent_bits", "mantissa_bits", "rounding", "datapath")
 
 
 def check(args: argparse.Namespace) -> None:

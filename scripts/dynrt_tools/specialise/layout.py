@@ -6,28 +6,22 @@ memory best is measured."""
 
 from collections.abc import Callable, Iterable
 
-from dynrt_tools.project import Json
 from dynrt_tools.specialise.analyst import FrameCosts
 from dynrt_tools.specialise.curve import by_percent
-from dynrt_tools.specialise.decisions import KEYS, Measured
+from dynrt_tools.specialise.decisions import Measured
 
 Layouts = dict[int, FrameCosts]  # by nodes of a line
-NODE_BYTES = 8
 AS_FAST = 2  # percent more clocks than the fewest: no slower, so that the bytes decide
 
 
-def keys(nodes: int, general: Json, why: str) -> Measured:
-    """With so many nodes in a line. A line of the second level is made as long, if it can be."""
-    decided: Measured = {"line_nodes": (nodes, why)}
-    length = nodes * NODE_BYTES
-    if length > general["second_line"] and KEYS["second_line"].kind.allows(length):
-        decided["second_line"] = length, f"a line of {nodes} nodes lies in one"
-    return decided
+def keys(nodes: int, why: str) -> Measured:
+    """With so many nodes in a line."""
+    return {"line_nodes": (nodes, why)}
 
 
-def being_measured(nodes: int, general: Json) -> Measured:
+def being_measured(nodes: int) -> Measured:
     """Of the core that is measured; its counters tell what it reads and cost no clock."""
-    return keys(nodes, general, "being measured") | {"counters": (True, "being measured")}
+    return keys(nodes, "being measured") | {"counters": (True, "being measured")}
 
 
 def measured(frame_of: Callable[[int], FrameCosts], numbers: Iterable[int]) -> Layouts:

@@ -74,16 +74,8 @@ class Allowed(unittest.TestCase):
         self.assertEqual(self.numbers("fast"), ([], 1))
 
     def test_a_port(self) -> None:
-        self.assertEqual(self.numbers("fast_port", second_level=0), ([1, 2, 4, 8], 16))
+        self.assertEqual(self.numbers("fast_port", second_level=0), ([1, 2, 4], 16))
         self.assertEqual(self.numbers("fast_port", line_nodes=1)[1], LISTED["fast_port"]["ways"])
-
-    def test_a_second_level_holds_a_line_of_the_first(self) -> None:
-        self.assertEqual(self.numbers("fast_port", second_level=32, second_line=32)[0], [1, 2, 4])
-        self.assertEqual(self.numbers("fast_port", second_level=32, second_line=16)[0], [1, 2, 4])
-        self.assertEqual(
-            layout.keys(4, LISTED["fast_port"], "measured"),
-            {"line_nodes": (4, "measured"), "second_line": (32, "a line of 4 nodes lies in one")},
-        )
 
     def test_few_lines_leave_few_nodes(self) -> None:
         self.assertEqual(self.numbers("fast_port", second_level=0, lines=32)[0], [1, 2, 4])

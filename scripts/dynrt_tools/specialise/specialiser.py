@@ -187,7 +187,7 @@ class Specialiser:
         if numbers:
             layouts, meters = self.layouts(folder, whole, numbers)
             nodes = layout.best(layouts)
-            decided = layout.keys(nodes, self.general, layout.reason(layouts, nodes, frame))
+            decided = layout.keys(nodes, layout.reason(layouts, nodes, frame))
             figures["layouts"] = {n: costs._asdict() for n, costs in layouts.items()}
             meter = meters[nodes]
         else:
@@ -206,7 +206,7 @@ class Specialiser:
 
         def frame_of(nodes: int) -> analyst.FrameCosts:
             show_progress(f"making a core whose lines have {nodes} nodes")
-            keys = whole | layout.being_measured(nodes, self.general)
+            keys = whole | layout.being_measured(nodes)
             meters[nodes] = self.meter(folder / f"{nodes}_nodes", keys)
             return meters[nodes].frame(self.general["packets"], self.general["lines"])
 
@@ -220,8 +220,7 @@ class Specialiser:
         return [
             n
             for n in range(kind.low, kind.high + 1)
-            if kind.allows(n)
-            and self.allowed(self.decide(whole | layout.being_measured(n, self.general)))
+            if kind.allows(n) and self.allowed(self.decide(whole | layout.being_measured(n)))
         ]
 
     def least_lines(self, measured: decisions.Measured) -> int:

@@ -127,7 +127,7 @@ class Specialise(testing.InFolder):
         self.assertEqual(refused.returncode, 2)
         self.assertRegex(
             refused.stderr,
-            "^dynrt: the scene 'balls' needs top_stack_depth [0-9]+, "
+            "^dynrt: the scene 'balls' needs stack_depth [0-9]+, "
             "and configuration configuration, made for 'ball', has 1;",
         )
         said = self.done("render", balls, *mine, "--general-if-exceeded")
@@ -175,7 +175,7 @@ class Specialise(testing.InFolder):
         self.assertEqual(refused.returncode, 2)
         self.assertRegex(
             refused.stderr,
-            "^dynrt: frame [12] of 3 needs top_stack_depth [0-9]+, "
+            "^dynrt: frame [12] of 3 needs stack_depth [0-9]+, "
             "and configuration .* has [0-9]+; .*--general-if-exceeded",
         )
         self.done(*mine, "--general-if-exceeded", "--out", "mixed", "--json", "mixed.json")

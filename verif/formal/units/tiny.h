@@ -13,7 +13,6 @@ struct Tiny : dynrt::config::thesis {
   static constexpr unsigned kPackets = 2;
   static constexpr unsigned kLines = 2;
   static constexpr unsigned kStackDepth = 3;
-  static constexpr unsigned kTopStackDepth = 3;
   static constexpr unsigned kObjectSlots = 2;
   static constexpr unsigned kTriangleSlots = 2;
 };
@@ -25,7 +24,7 @@ struct TinyMailbox : Tiny {
 
 /// The same, of a mailbox that knows a packet's rays apart.
 struct TinyMailboxOfRays : TinyMailbox {
-  static constexpr dynrt::RaysSent kRaysSent = dynrt::RaysSent::kActive;
+  static constexpr dynrt::Datapath kDatapath = dynrt::Datapath::kFast;
 };
 
 /// Of the transformation: nine products and nine sums.

@@ -9,11 +9,9 @@
 
 namespace formal {
 
-/// Paths of up to six forks, four of them in the upper level, and stacks of two entries.
+/// Paths of up to six forks, and stacks of two entries.
 struct TinyRestarts : Tiny {
   static constexpr unsigned kStackDepth = 6;
-  static constexpr unsigned kTopStackDepth = 4;
-  static constexpr unsigned kStackEntries = 2;
 };
 
 enum class TrailEvent : unsigned char { kPush, kNear, kFar, kPop };
@@ -22,6 +20,8 @@ enum class TrailEvent : unsigned char { kPush, kNear, kFar, kPop };
 
 template <>
 inline constexpr unsigned hls::enum_width<formal::TrailEvent> = 2;
+template <>
+inline constexpr unsigned dynrt::kStackEntries<formal::TinyRestarts> = 2;
 
 namespace formal {
 
@@ -29,8 +29,7 @@ struct TrailBefore {
   dynrt::RestartTrail<TinyRestarts> trail;
   TrailEvent event = TrailEvent::kPush;
   bool is_fork = false;
-  dynrt::Level level;
-  HLS_FIELDS(trail, event, is_fork, level)
+  HLS_FIELDS(trail, event, is_fork)
 };
 struct TrailAfter {
   dynrt::RestartTrail<TinyRestarts> trail;
@@ -58,7 +57,7 @@ struct Trail {
         trail.descend(b.is_fork, true);
         break;
       case TrailEvent::kPop:
-        trail.pop(b.level);
+        trail.pop();
         break;
     }
     after.write({trail, b.trail.is_done(), b.trail.way_back()});
