@@ -121,9 +121,7 @@ TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
   EXPECT_EQ(e.terminated, RayMask<C>(0b0101));
 }
 
-struct WithPointers : C {
-  static constexpr Leaves kLeaves = Leaves::kPointers;
-};
+using WithPointers = test::Fast<C>;
 constexpr unsigned kMark = 1u << (C::kAddressBits - 1);  // of a pointer to a list
 
 /// An inner node whose children are leaves if asked, every ray alike.

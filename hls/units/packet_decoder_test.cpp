@@ -120,12 +120,7 @@ TEST(PacketDecoder, APacketAfterAnotherHasItsOwnOrigin) {
   }
 }
 
-struct AtOnce : test::Config<8> {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr Divider kDivider = Divider::kThreeReciprocals;
-  static constexpr Origins kOrigins = Origins::kCommon;
-};
+using AtOnce = test::FastFromOnePoint<test::PacketsOf<test::Config<8>, 8>>;
 
 /// Packets of few rays, and those that differ in their rays, come one after the other.
 TEST(PacketDecoder, RaysOfALaneFollowEachOtherAfterThreeClocks) {

@@ -51,7 +51,7 @@ void setup(Bench<Lookup>& bench, const Run& /*run*/) {
       const auto row = [likely, n = 0u](SecondRow<C>& r, Random& random) mutable {
         likely(r, n++, random);
       };
-      bench.shape<SecondRow<C>>(kSecondWays == 1 ? "rows_0" : "rows_" + std::to_string(w), row);
+      bench.shape<SecondRow<C>>("rows_" + std::to_string(w), row);
     }
     const auto last = [likely, n = 0u](LastMiss<C>& r, Random& random) mutable {
       likely(r, n++, random);
