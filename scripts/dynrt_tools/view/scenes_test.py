@@ -120,7 +120,9 @@ class Exported(unittest.TestCase):
             self.assertGreater(
                 browser.run("return document.getElementById('fifos').rows.length"), 40
             )
-            self.assertTrue(browser.run("return document.querySelector('#timeline image') !== null"))
+            self.assertTrue(
+                browser.run("return document.querySelector('#timeline image') !== null")
+            )
             browser.save_into(pathlib.Path(folder))
             browser.click("#tab-share")
             table = browser.saved_by("#save-csv", pathlib.Path(folder), ".csv")
