@@ -5,7 +5,7 @@
 // request or none in every clock and says in every clock what the pins do. Reads go first; writes
 // that have waited go together. A write becomes a request for the pairs of halves that its mask
 // touches. A read sees the writes to its bytes that were taken before it, and none that came after.
-// hls/units/sdram_port.h is the native twin.
+// hls/units/sdram_port.h is the native model.
 //
 // A request has a slot, which keeps a read's id or a write's data until its last word has moved. A
 // read is taken only if there is room for its beats, so that the chip's words never wait. All pins

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// axi_memory and its native twin in step, with random traffic, a bus that stalls each channel,
+// axi_memory and its native model in step, with random traffic, a bus that stalls each channel,
 // answers late, in any order and with errors, and cores that are reset meanwhile: all outputs of
 // each clock are equal.
 #include "units/axi_memory.h"
@@ -25,7 +25,7 @@ namespace {
 constexpr unsigned kBytes = 4;
 using Types = AxiMemoryTypes<kBytes>;
 
-/// The Verilog with the functions of its twin.
+/// The Verilog with the functions of its native model.
 template <class V, bool InOrder>
 class Rtl {
  public:
@@ -215,17 +215,17 @@ class Sides {
 template <class V, bool InOrder, unsigned Reads, unsigned Writes>
 void run_in_step(int seed, const Tempers& tempers) {
   Rtl<V, InOrder> rtl(seed);
-  AxiMemory<kBytes, InOrder, Reads, Writes> twin;
+  AxiMemory<kBytes, InOrder, Reads, Writes> model;
   Sides<InOrder> sides(seed, tempers);
   for (unsigned i = 0; i < 20'000; ++i) {
-    sides.offer(twin.outputs(sides.in).idle);
+    sides.offer(model.outputs(sides.in).idle);
     const Types::Outputs there = rtl.outputs(sides.in);
-    const Types::Outputs here = twin.outputs(sides.in);
+    const Types::Outputs here = model.outputs(sides.in);
     Types::Outputs shown = here;
     if (InOrder && shown.ar) shown.ar->id = 0;  // the bus does not see it
     ASSERT_TRUE(there == shown) << fmt::format("clock {} of seed {}", i, seed);
     rtl.clock(sides.in);
-    twin.clock(sides.in);
+    model.clock(sides.in);
     sides.seen(here);
   }
   EXPECT_GT(sides.beats, 200u);

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// wishbone_memory and its native twin in step, with random traffic, a bus that stalls, answers late
-// and with errors, and cores that are reset meanwhile: all outputs of each clock are equal.
+// wishbone_memory and its native model in step, with random traffic, a bus that stalls, answers
+// late and with errors, and cores that are reset meanwhile: all outputs of each clock are equal.
 #include "units/wishbone_memory.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr unsigned kBytes = 4;
 using Types = WishboneMemoryTypes<kBytes>;
 
-/// The Verilog with the functions of its twin.
+/// The Verilog with the functions of its native model.
 template <class V>
 class Rtl {
  public:
@@ -105,7 +105,7 @@ void run_in_step(int seed, const Tempers& tempers) {
   std::mt19937 random(static_cast<unsigned>(seed));
   const auto happens = [&](unsigned percent) { return random() % 100 < percent; };
   Rtl<V> rtl(seed);
-  WishboneMemory<kBytes, Flight, Turn> twin;
+  WishboneMemory<kBytes, Flight, Turn> model;
   Types::Inputs in;
   unsigned taken = 0;  // accesses that the bus has not answered
   unsigned beats = 0, accesses = 0, errors = 0;
@@ -121,7 +121,7 @@ void run_in_step(int seed, const Tempers& tempers) {
                   .data = {static_cast<std::uint32_t>(random())},
                   .mask = static_cast<std::uint32_t>(random() % 4)};
     }
-    if (in.stop ? twin.outputs(in).idle : random() % 2000 == 0) in.stop = !in.stop;
+    if (in.stop ? model.outputs(in).idle : random() % 2000 == 0) in.stop = !in.stop;
     in.beat_ready = happens(tempers.takes);
     in.stall = happens(tempers.stalls);
     const bool answers = taken > 0 && happens(tempers.answers);
@@ -129,10 +129,10 @@ void run_in_step(int seed, const Tempers& tempers) {
     in.ack = answers && !in.err;
     in.data = {static_cast<std::uint32_t>(random())};
     const Types::Outputs there = rtl.outputs(in);
-    const Types::Outputs here = twin.outputs(in);
+    const Types::Outputs here = model.outputs(in);
     ASSERT_TRUE(there == here) << fmt::format("clock {} of seed {}", i, seed);
     rtl.clock(in);
-    twin.clock(in);
+    model.clock(in);
     beats += here.beat && in.beat_ready ? 1 : 0;
     errors += here.error ? 1 : 0;
     const bool takes = here.access && !in.stall;

@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A memory port with an SDRAM behind it, the native twin or the Verilog, run with any traffic: each
-// beat is compared with an array that holds what was written, and the chip's model checks the pins.
-// Traffic is a function that is asked for the next read, or write, when the one before was taken.
+// A memory port with an SDRAM behind it, the native model or the Verilog, run with any traffic:
+// each beat is compared with an array that holds what was written, and the chip's model checks the
+// pins. Traffic is a function that is asked for the next read, or write, when the one before was
+// taken.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The SDRAM behind the port of the native core: the controller's twin and the chip's model at their
-// clock, the core at its own, a crossing of some clocks each way, and a display that reads its
-// picture all the while.
+// The SDRAM behind the port of the native core: the models of the controller and of the chip at
+// their clock, the core at its own, a crossing of some clocks each way, and a display that reads
+// its picture all the while.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The SDRAM controller behind its port, the Verilog and its native twin in step: every output of
+// The SDRAM controller behind its port, the Verilog and its native model in step: every output of
 // every clock is equal, every word that is read is the one that was written, and the chip of every
 // speed grade finds nothing that its data sheet forbids.
 #include <gtest/gtest.h>
@@ -44,35 +44,35 @@ class Pair {
  public:
   using Types = SdramPortTypes<T::kPortBytes>;
   explicit Pair(int seed)
-      : rtl_(kPauseTurns, seed), twin_(stages_of(kSchedule<typename T::Sdram>), kPauseTurns) {}
+      : rtl_(kPauseTurns, seed), model_(stages_of(kSchedule<typename T::Sdram>), kPauseTurns) {}
   typename Types::Outputs outputs(const typename Types::Inputs& in) {
     const auto rtl = rtl_.outputs(in);
-    const auto twin = twin_.outputs(in);
-    const bool equal = rtl.read_ready == twin.read_ready && rtl.write_ready == twin.write_ready &&
-                       rtl.beat == twin.beat && rtl.pins == twin.pins;
+    const auto model = model_.outputs(in);
+    const bool equal = rtl.read_ready == model.read_ready && rtl.write_ready == model.write_ready &&
+                       rtl.beat == model.beat && rtl.pins == model.pins;
     if (!equal && difference_.empty()) {
       difference_ = fmt::format(
-          "clock {}: RTL and twin differ: ready {}{} and {}{}, beat {} and {}, command {} and {}, "
+          "clock {}: RTL and model differ: ready {}{} and {}{}, beat {} and {}, command {} and {}, "
           "bank "
           "{} and {}, address {} and {}, dqm {} and {}, drives {} and {}, dq {} and {}",
-          clocks_, rtl.read_ready, rtl.write_ready, twin.read_ready, twin.write_ready,
-          rtl.beat.has_value(), twin.beat.has_value(), static_cast<unsigned>(rtl.pins.command),
-          static_cast<unsigned>(twin.pins.command), rtl.pins.bank, twin.pins.bank, rtl.pins.address,
-          twin.pins.address, rtl.pins.dqm, twin.pins.dqm, rtl.pins.drives, twin.pins.drives,
-          rtl.pins.dq, twin.pins.dq);
+          clocks_, rtl.read_ready, rtl.write_ready, model.read_ready, model.write_ready,
+          rtl.beat.has_value(), model.beat.has_value(), static_cast<unsigned>(rtl.pins.command),
+          static_cast<unsigned>(model.pins.command), rtl.pins.bank, model.pins.bank,
+          rtl.pins.address, model.pins.address, rtl.pins.dqm, model.pins.dqm, rtl.pins.drives,
+          model.pins.drives, rtl.pins.dq, model.pins.dq);
     }
     return rtl;
   }
   void clock(const typename Types::Inputs& in) {
     rtl_.clock(in);
-    twin_.clock(in);
+    model_.clock(in);
     ++clocks_;
   }
   const std::string& difference() const { return difference_; }
 
  private:
   SdramRtl<typename T::Verilated, T::kPortBytes> rtl_;
-  SdramPort<typename T::Sdram, T::kPortBytes> twin_;
+  SdramPort<typename T::Sdram, T::kPortBytes> model_;
   std::uint64_t clocks_ = 0;
   std::string difference_;
 };

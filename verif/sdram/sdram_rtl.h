@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Verilated sdram_port with the functions of its native twin (units/sdram_port.h).
+// The Verilated sdram_port with the functions of its native model (units/sdram_port.h).
 #pragma once
 
 #include <verilated.h>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The share of the chip's peak that the controller reaches, by its native twin: reads that follow
+// The share of the chip's peak that the controller reaches, by its native model: reads that follow
 // each other and random ones, as fast as the port takes them, and random reads with the writes of a
 // picture. docs/explanation/sdram.md has the figures.
 #include <gtest/gtest.h>

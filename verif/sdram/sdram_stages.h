@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The clocks that the SDRAM controller's native twin has to have in its pipeline.
+// The number of stages that the native model of the SDRAM controller must have.
 #pragma once
 
 #include <fstream>
