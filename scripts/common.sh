@@ -31,7 +31,7 @@ missing_packages() {
 
 # help_packages [PURPOSE]: the part of --help that says what the machine will get.
 help_packages() {
-  echo "What is installed, if it is missing, by apt-get from Debian 12 or 13 (as root or with sudo):"
+  echo "Packages that apt-get installs from Debian 12 or 13 if they are missing (as root or with sudo):"
   packages "${1:-test}" | fmt -w 96 | sed 's/^/  /'
   echo "scripts/packages.txt gives the reason for each. Everything else is written to build/ and to"
   echo "the compiler cache."

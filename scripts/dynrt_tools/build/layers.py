@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks that every #include points the right way between the folders of the project.
 
-    language <- hls/cosim                (the bench that holds a unit's Verilog against a model)
+    language <- hls/cosim                (the test bench that compares a unit's Verilog with a model)
     language <- hls/units
     language <- hls/compiler             (which lowers anybody's units and knows none;
                                           its front and back end share the netlist alone)
     language, the units' published headers <- host <- verif, which may include all but the program
-    the rooms of host, each of which may include those before it:
+    the folders of host, each of which may include those before it:
         format, picture, scene, memory, tree, specialise, layout, board, link, ulx3s, render,
         analysis, view, app
 
 An include is followed to the file that it names (beside the including file, then in the include
-folders); standard and library headers are nobody's room and always allowed.
+folders); standard and library headers belong to no folder and are always allowed.
 """
 
 
@@ -23,12 +23,12 @@ import sys
 
 from dynrt_tools import project
 
-# The rooms, most specific folder first, and what each may include besides itself.
+# The folders, the most specific first, and those that each may include besides itself.
 LANGUAGE = ("hls/include", "hls/native", "hls/lowered")
 BACK_END = ("netlist", "passes", "schedule", "emit")
 HOST = tuple(
-    f"host/{room}"
-    for room in (
+    f"host/{folder}"
+    for folder in (
         "format",
         "picture",
         "scene",
@@ -45,7 +45,7 @@ HOST = tuple(
         "app",
     )
 )
-ROOMS = {
+FOLDERS = {
     "hls/include": {"hls/native", "hls/lowered"},
     "hls/native": {"hls/include"},
     "hls/lowered": {"hls/include"},
@@ -66,13 +66,13 @@ ROOMS = {
         *(f"hls/compiler/{p}" for p in (*BACK_END, "frontend")),
     },
     "rtl": set(LANGUAGE),
-    **{room: {*LANGUAGE, "host", *HOST[:place]} for place, room in enumerate(HOST)},
-    "host": set(LANGUAGE),  # headers of no room: errors, the folder of a test
+    **{folder: {*LANGUAGE, "host", *HOST[:place]} for place, folder in enumerate(HOST)},
+    "host": set(LANGUAGE),  # headers directly in host: errors, the folder of a test
     "verif": {*LANGUAGE, "hls/cosim", "hls/units", "hls/compiler", "host", *HOST[:-1], "rtl"},
 }
-# The headers that a room shows to others, and who may include them: the host the core's memory
-# formats and frame registers, the board the native model that it runs, and the programs that write
-# down a join the function that turns a join into a Verilog top.
+# Published headers, and the folders or files that may include them: the host includes the core's
+# memory formats and frame registers, the board the native model that it runs, and the programs that
+# write a join the function that turns a join into a Verilog top.
 PUBLISHED = {
     "hls/units/memory_format.h": ("host",),
     "hls/units/memory_timing.h": ("host",),
@@ -97,8 +97,8 @@ def within(path: str, folder: str) -> bool:
     return path == folder or path.startswith(folder + "/")
 
 
-def room_of(path: str) -> str | None:
-    return next((room for room in ROOMS if within(path, room)), None)
+def folder_of(path: str) -> str | None:
+    return next((folder for folder in FOLDERS if within(path, folder)), None)
 
 
 def may_read(source: str, published: str) -> bool:
@@ -116,18 +116,18 @@ def resolve(root: pathlib.Path, source: pathlib.Path, name: str) -> str | None:
 
 
 def allowed(source: str, target: str) -> bool:
-    source_room, target_room = room_of(source), room_of(target)
+    source_folder, target_folder = folder_of(source), folder_of(target)
     if target in PUBLISHED and may_read(source, target):
         return True
-    return target_room == source_room or target_room in ROOMS.get(source_room or "", ())
+    return target_folder == source_folder or target_folder in FOLDERS.get(source_folder or "", ())
 
 
 def check(root: pathlib.Path) -> tuple[list[str], int]:
     """All violations as sentences, and the number of includes between files of ours."""
     problems, followed = [], 0
-    for room in ROOMS:
-        for source in sorted((root / room).rglob("*")):
-            inner = room_of(source.relative_to(root).as_posix()) != room
+    for folder in FOLDERS:
+        for source in sorted((root / folder).rglob("*")):
+            inner = folder_of(source.relative_to(root).as_posix()) != folder
             if inner or source.suffix not in (".h", ".cpp", ".inc"):
                 continue
             text = source.read_text(encoding="utf-8")
@@ -139,11 +139,11 @@ def check(root: pathlib.Path) -> tuple[list[str], int]:
                 here = source.relative_to(root).as_posix()
                 if not allowed(here, target):
                     line = text.count("\n", 0, match.start()) + 1
-                    may = ", ".join(sorted(ROOMS[room] | {room}))
+                    may = ", ".join(sorted(FOLDERS[folder] | {folder}))
                     published = [p for p in PUBLISHED if may_read(here, p)]
                     extra = f" and {', '.join(published)}" if published else ""
                     problems.append(
-                        f"{here}:{line}: includes {target}, but {room} may include "
+                        f"{here}:{line}: includes {target}, but {folder} may include "
                         f"only {may}{extra}"
                     )
     return problems, followed

@@ -48,7 +48,7 @@ of the host and `hls/configs/configs.json`.
 - **Memory.** Three banks of {words:,} words of 32 bits hold nodes, list entries and matrices. Three
   more hold pixels and hit records. If the host cuts trees, rays are tested against more triangles,
   and the note names the object, the new depth and the extra work to expect. The host refuses a
-  top-level tree that leaves no room for the objects.
+  top-level tree that leaves no space for the objects.
 - **Stacks.** The core drops a push onto a full stack and counts it (`dropped_pushes` in `--json`, and a
   warning). Hits may be lost then. The host never builds such trees, but a test may.
 - **Numbers.** There is no zero, no infinity and no NaN. The host moves the middle of a scene to the

@@ -52,10 +52,10 @@ def page() -> str:
     lines += [f"| `{name}` | `{value}` | {meaning} |" for name, value, meaning in constants(text)]
     return "\n".join(
         [
-            "# Frames of the link",
+            "# Packets of the serial link",
             "",
             f"{registers.link(FORMAT)} defines them. [The link to a board](../explanation/link.md) "
-            "says how they are used.",
+            "explains their use.",
             "",
             *about(text),
             "",

@@ -20,10 +20,10 @@ def pages(root: pathlib.Path) -> list[pathlib.Path]:
     """The pages of a project that people read, README first."""
     tops = [root / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md")]
     tops.append(root / "CHANGELOG.md")
-    rooms = [root / "hls/compiler/README.md", *sorted(root.glob("scenes/*.md"))]
-    rooms += sorted(root.glob("scripts/dynrt_tools/*/README.md"))
+    readmes = [root / "hls/compiler/README.md", *sorted(root.glob("scenes/*.md"))]
+    readmes += sorted(root.glob("scripts/dynrt_tools/*/README.md"))
     ours = [path for path in root.glob("docs/**/*.md") if path.parent.name != "templates"]
-    return tops + rooms + sorted(ours)
+    return tops + readmes + sorted(ours)
 
 
 def without_code(text: str) -> str:

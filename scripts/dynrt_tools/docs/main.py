@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builds the documentation as a site with search, build/docs/site. Reading it needs no network.
 
-Pages of docs/reference and docs/results that say so are made from the sources and from kept data:
---check finds those that are not current, and links that lead nowhere; --renew writes the pages.
+Some pages of docs/reference and docs/results are made from the sources and from saved data, as their
+first line says: --check finds pages that are out of date and broken links; --renew writes the pages.
 """
 
 import argparse
@@ -32,8 +32,8 @@ def parse() -> argparse.Namespace:
     what.add_argument(
         "--measure",
         action="store_true",
-        help="render the frames of the page that says what each idea brings, keep their figures as "
-        "its data, and renew the pages; takes minutes",
+        help="render the frames of docs/results/ideas.md, save their figures as its data, and renew "
+        "the pages; takes minutes",
     )
     what.add_argument(
         "--record",
@@ -45,14 +45,14 @@ def parse() -> argparse.Namespace:
         "--build",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="check or renew the page of the programs too, with those of this build; for --measure "
-        "the build that renders (default: build/release)",
+        help="also check or renew the page of the programs, with the programs of this build; for "
+        "--measure the build that renders (default: build/release)",
     )
     what.add_argument(
         "--times",
         nargs=2,
         metavar=("RUN", "LOG"),
-        help="keep the times that scripts/demo (RUN demo) or scripts/test (RUN fast or all) printed "
+        help="save the times that scripts/demo (RUN demo) or scripts/test (RUN fast or all) printed "
         "as the data of the page of build times, and renew the pages",
     )
     return parser.parse_args()

@@ -28,7 +28,7 @@ CONSTANT = re.compile(
     re.MULTILINE,
 )
 OF_PORT = "kPortAddressBits"  # the first constant of a memory behind the port
-# What lies there: its first byte, its room and the bytes of an item.
+# Each part of that memory: its content, its first byte, its size and the bytes of an item.
 PORT_ITEMS = (
     ("nodes", "0", "kMaxNodes * kNodeBytes", "kNodeBytes"),
     ("list entries", "kEntriesAt", "kMaxListEntries * kEntryBytes", "kEntryBytes"),
@@ -184,13 +184,13 @@ def port_comment(text: str) -> str:
 
 
 def port_table(memory: dict[str, int]) -> list[str]:
-    """Where what lies in a memory behind the port."""
-    lines = ["| from byte | to | room | an item | holds |", "|---|---|---:|---:|---|"]
+    """The parts of a memory behind the port."""
+    lines = ["| from byte | to | size | an item | holds |", "|---|---|---:|---:|---|"]
     for holds, *expressions in PORT_ITEMS:
         numbers = [limits.value(expression, memory) for expression in expressions]
-        first, room, item = [number for number in numbers if number is not None]
+        first, size, item = [number for number in numbers if number is not None]
         lines.append(
-            f"| `0x{first:07x}` | `0x{first + room - 1:07x}` | {room >> 20} MB | {item} bytes | "
+            f"| `0x{first:07x}` | `0x{first + size - 1:07x}` | {size >> 20} MB | {item} bytes | "
             f"{holds} |"
         )
     return lines
@@ -259,7 +259,7 @@ def page() -> str:
         f"{links_to(cores[1:], 'json')} has its in the list `counters`, and a build has those of any "
         "other configuration in `generated/CONFIG/dynrt_core.json`. `tokens` counts "
         "the tokens of a channel, `transactions` those that a unit has started, and `stalls` the "
-        "clocks in which a unit had its tokens but an output had no room.",
+        "clocks in which a unit had its tokens but an output had no space.",
         "",
         *counters_table(read_json(project.ROOT / generated(THESIS, "json"))),
         "",

@@ -29,16 +29,16 @@ BESIDE = "scan_out"
 HEAD = """# The units of the core
 
 Configuration `{config}`, scheduled for {clock}.
-Every unit starts a transaction on every clock. *Latency* is the clocks from a token at its input to the
-tokens that stand behind the FIFOs of its outputs: its stages. Widths are in bits, RAMs in rows x bits as
+Every unit can start a transaction in every clock. *Latency* is the number of clocks from a token at its input
+to the tokens after the FIFOs of its outputs: its stages. Widths are in bits, RAMs in rows x bits as
 the unit addresses them.
 
 A channel `x` that comes **in** is `x_valid_i`, `x_ready_o` and `x_data_i` in Verilog; one that goes **out** is
 `x_valid_o`, `x_ready_i` and `x_data_o`. A RAM `x` that the unit **reads** is `x_en_o`, `x_addr_o` and
-`x_data_i`; one that it **writes** has `x_data_o`. A **steady** value `x` is `x_i`, which stands still during a
+`x_data_i`; one that it **writes** has `x_data_o`. A **steady** value `x` is `x_i`, which does not change during a
 frame. Each module also has `clk_i`, `rst_ni`, and for the counters `fire_o` (a transaction starts) and
-`stall_o` (one could, but an output has no room). The parameters `X_DEPTH` and `X_BOUNDED` size the FIFO of the
-output `x` ([Timing](timing.md) explains them). The last unit, `scan_out`, stands beside the core on the board.
+`stall_o` (one could, but an output has no space). The parameters `X_DEPTH` and `X_BOUNDED` size the FIFO of the
+output `x` ([Timing](timing.md) explains them). The last unit, `scan_out`, is on the board, outside the core.
 `scripts/unit_sheet` makes this page; the target `units` renews it.
 
 | unit | latency | registers between stages | RAM inside |

@@ -143,22 +143,22 @@ def page() -> str:
         "# Timing of the units",
         "",
         "Three transactions, A, B and C, start in clocks 0, 1 and 2, one in every clock. A token "
-        "waits at its input until the transaction takes it (`valid` and `ready` are high) and "
-        "stands at the output, behind its FIFO, as many clocks later as the unit has stages. "
-        "`addr` of a RAM outside the unit stands in the stage that reads or writes it. The "
+        "waits at its input until the transaction takes it (`valid` and `ready` are high). The "
+        "output, after its FIFO, has the result as many clocks later as the unit has stages. "
+        "`addr` of a RAM outside the unit is valid in the stage that reads or writes it. The "
         "diagrams come from the schedules in `rtl/generated/thesis` and show outputs as if each "
         "transaction wrote all of them; a unit may write none. [Units](units.md) has the widths "
         "and the other ends.",
         "",
-        "Pipelines never stall, so the FIFO of an output must take every token that is on its way. "
+        "Stages never stall, so the FIFO of an output must take every token in flight. "
         "There are two ways to ensure that:",
         "",
-        "- **Room.** A transaction starts only while the FIFO holds fewer tokens than the unit's "
-        "*room*: `X_DEPTH`, the FIFO's places, less its `MARGIN`, the tokens that later stages may "
-        "still send. Each section states the room of the FIFO that hlsc chooses.",
+        "- **Space.** A transaction starts only while the FIFO holds fewer tokens than its "
+        "*space*: its depth `X_DEPTH` less its `MARGIN`, the tokens that later stages may "
+        "still send. Each section states the space of the FIFO that hlsc chooses.",
         "- **Bound.** The join may promise that a channel never holds more "
-        "than so many tokens, such as one for each packet. The Verilog top then gives the FIFO so "
-        "many places and sets `X_BOUNDED` to 1, and no transaction waits for that output.",
+        "than so many tokens, such as one for each packet. The Verilog top then gives the FIFO "
+        "this depth and sets `X_BOUNDED` to 1, and no transaction waits for that output.",
     ]
     for name, drawn in diagrams().items():
         schedule = project.read_json(GENERATED / f"{name}.json")
