@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one exception for mistakes of the user: a bad file, flag or folder. The program prints its
-// message, one sentence naming the file, line or node, and exits with a non-zero code. Every other
-// exception is a defect of dynrt itself. A room has its messages in one header, *_messages.h, as
-// fmt's format strings.
+// message, one sentence that names the file, line or node, and exits with a non-zero code. Every
+// other exception is a defect of dynrt itself. A message stands where it is thrown; one that
+// several files share stands in the folder's *_messages.h.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@ struct UserError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws UserError with a message in fmt's format.
 template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<const Args&...> message, const Args&... args) {
   throw UserError(fmt::format(message, args...));

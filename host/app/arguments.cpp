@@ -9,7 +9,6 @@
 #include <limits>
 #include <ranges>
 
-#include "host/app/app_messages.h"
 #include "host/app/scene_flags.h"
 #include "host/app/text.h"
 #include "host/error.h"
@@ -49,15 +48,14 @@ void MemoryArguments::add_to(CLI::App& command) {
   command
       .add_option(
           "--memory-latency", latency,
-          fmt::format("clocks from a read of the memory behind the core's port to its first "
-                      "data, 1 to {}",
+          fmt::format("clocks from a read at the core's memory port to its first data, 1 to {}",
                       kMaxMemoryLatency))
       ->option_text(fmt::format("CLOCKS [{}]", MemoryTiming{}.latency))
       ->check(not_a_count);
   command
       .add_option(
           "--row-clocks", row_clocks,
-          fmt::format("more clocks where the read opens another row of that memory, 0 to {}",
+          fmt::format("additional clocks if the read opens another row of that memory, 0 to {}",
                       kMaxRowClocks))
       ->option_text("CLOCKS [0]")
       ->check(not_a_count);
@@ -104,27 +102,32 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (order == "scanline") {
     options.order = RayOrder::kScanline;
   } else if (order != "morton") {
-    refuse(messages::kOrder, order);
+    refuse("--order {}: unknown; the orders are morton and scanline", order);
   }
   clock.check();
   options.timeout = timeout.value_or(kTimeout);
-  if (options.timeout == 0) refuse(messages::kTimeoutZero);
+  if (options.timeout == 0) refuse("--timeout 0: the board needs at least one clock");
   return options;
 }
 
 std::string hardware_help() {
   const auto held = std::views::transform(linked_cores(), &LinkedCore::configuration);
   return fmt::format(
-      "rtl: run the Verilog; ulx3s: run that of a whole ULX3S, down to its pins, which holds the "
-      "configuration {}; serial:DEVICE: an ULX3S, an Arty or another board at a serial device, "
-      "which holds {}",
+      "rtl: the Verilog; ulx3s: the Verilog of a whole ULX3S with the configuration {}, simulated "
+      "down to its pins; serial:DEVICE: a real ULX3S, Arty or other board at a serial device, with "
+      "{}",
       held.front(), fmt::join(held, " or "));
 }
 
-std::string board_help() { return "model: run the C++ natively; " + hardware_help(); }
+std::string board_help() { return "model: the C++ as a native program; " + hardware_help(); }
 
 void FrameArguments::check_timeout(const std::string& board) const {
-  if (timeout && board == "model") refuse(messages::kTimeoutOfModel, *timeout);
+  if (timeout && board == "model") {
+    refuse(
+        "--timeout {}: board model counts no clocks of its own, so it needs no timeout; take board "
+        "rtl or leave the timeout out",
+        *timeout);
+  }
 }
 
 void SpanArguments::add_to(CLI::App& command) {
@@ -170,13 +173,13 @@ std::string not_a_count(const std::string& text) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   std::uint64_t count = 0;
   if (parse(text, count) && count <= kMost) return {};
-  return fmt::format(messages::kCount, text, kMost);
+  return fmt::format("{} is not a whole number from 0 to {}", text, kMost);
 }
 
 std::string not_a_number(const std::string& text) {
   double number = 0;
   if (parse(text, number) && std::isfinite(number)) return {};
-  return fmt::format(messages::kNumber, text);
+  return fmt::format("{} is not a finite number", text);
 }
 
 }  // namespace dynrt::host

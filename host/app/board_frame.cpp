@@ -10,7 +10,6 @@
 #include <ranges>
 #include <utility>
 
-#include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
 #include "host/board/display.h"
 #include "host/error.h"
@@ -26,17 +25,32 @@ void check_configuration(const BoardRequest& request) {
   const auto names = std::views::transform(cores, &LinkedCore::configuration);
   if (std::ranges::find(names, request.configuration) != names.end()) return;
   const std::string held = fmt::format("{}", fmt::join(names, " or "));
-  refuse(messages::kHoldsAnother, request.board, held, request.configuration);
+  refuse(
+      "board {} holds configuration {}, not {}; name the one that it holds, or leave --config out",
+      request.board, held, request.configuration);
 }
 
 /// A board with a bitstream of its own has one configuration, which need not be named.
 std::unique_ptr<Board> open_at_link(const BoardRequest& request, const FrameOptions& options) {
-  if (request.board == kSerial) refuse(messages::kNoDeviceNamed, request.board);
+  if (request.board == kSerial) {
+    refuse("board {}: it names no device; write one after the colon, such as serial:/dev/ttyUSB0",
+           request.board);
+  }
   if (!request.configuration.empty()) check_configuration(request);
-  if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
-  if (!request.schedule.empty()) refuse(messages::kNoSchedules, request.board);
+  if (!request.trace.empty()) {
+    refuse("board {} writes no waveforms; --board rtl does", request.board);
+  }
+  if (!request.schedule.empty()) {
+    refuse(
+        "board {} counts its own clocks and takes no schedules; leave out --schedule, or take "
+        "board model",
+        request.board);
+  }
   const auto refuse_clocks = [&](const char* option, const std::optional<unsigned>& given) {
-    if (given) refuse(messages::kMemoryExists, request.board, option);
+    if (given) {
+      refuse("board {}: its memory has fixed timing; leave out {}, or take board rtl or model",
+             request.board, option);
+    }
   };
   refuse_clocks("--memory-latency", options.memory_latency);
   refuse_clocks("--row-clocks", options.row_clocks);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/error.h"
 
@@ -104,9 +103,9 @@ void ClockFlags::add_to(CLI::App& command) {
   command
       .add_option(
           "--device", device,
-          fmt::format("FPGA at whose placed clock frames per second are stated: {}; "
-                      "a configuration that was not placed gets the slowest clock there, and a "
-                      "board that exists has its own",
+          fmt::format("FPGA whose placed clock gives the frames per second: {}; a configuration "
+                      "that was not placed takes the slowest clock on it, and a real board has "
+                      "its own clock",
                       all_devices()))
       ->option_text(fmt::format("NAME [{}]", device));
   command
@@ -115,13 +114,13 @@ void ClockFlags::add_to(CLI::App& command) {
       ->option_text(fmt::format("N [{}]", placed_clocks().front().grade));
   command
       .add_option("--clock", mhz,
-                  "clock of the core for frames per second, in place of a placed one")
+                  "clock of the core for frames per second, instead of a placed one")
       ->option_text("MHZ")
       ->check(not_a_number);
 }
 
 void ClockFlags::check() const {
-  if (mhz && !(*mhz > 0)) refuse(messages::kClock, *mhz);
+  if (mhz && !(*mhz > 0)) refuse("--clock {}: the clock is a number of MHz above zero", *mhz);
   first_on_device();
 }
 
@@ -143,12 +142,20 @@ CoreClock ClockFlags::clock_of(const CoreInfo& core, std::optional<double> board
 const PlacedClock& ClockFlags::first_on_device() const {
   const auto clocks = placed_clocks();
   const auto on = std::ranges::find(clocks, device, &PlacedClock::device);
-  if (on == clocks.end()) refuse(messages::kNotPlacedOn, device, all_devices());
+  if (on == clocks.end()) {
+    refuse(
+        "--device {}: no core was placed on such a device, so it has no clock; those with a clock: "
+        "{}",
+        device, all_devices());
+  }
   if (!grade) return *on;
   const auto of_grade = std::ranges::find_if(
       clocks, [&](const PlacedClock& c) { return c.device == device && c.grade == *grade; });
   if (of_grade == clocks.end()) {
-    refuse(messages::kNotPlacedOfGrade, *grade, device, grades_of(device));
+    refuse(
+        "--grade {}: no core was placed on {} of this grade, so it has no clock; those with a "
+        "clock: {}",
+        *grade, device, grades_of(device));
   }
   return *of_grade;
 }

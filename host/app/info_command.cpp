@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/prepare.h"
@@ -38,12 +37,21 @@ struct Arguments {
 /// The core that the scene is laid out for, if its memory is to be written.
 std::optional<CoreInfo> core_of(const Arguments& arguments) {
   if (!arguments.for_a_core()) {
-    if (!arguments.configuration.empty()) refuse(messages::kNoLayoutAsked);
+    if (!arguments.configuration.empty()) {
+      refuse(
+          "--config selects the memory layout, which only --memory and --registers use; give one "
+          "of them too");
+    }
     return std::nullopt;
   }
   const std::string name = arguments.configuration.empty() ? "fast_port" : arguments.configuration;
   CoreInfo core = make_board(configurations(), BoardRequest{"model", name, ""})->core();
-  if (core.memory != MemoryPath::kPort) refuse(messages::kBanksOfSram, core.name);
+  if (core.memory != MemoryPath::kPort) {
+    refuse(
+        "configuration {} reads its scene from banks of SRAM, not from a memory behind a port; "
+        "take fast_port or another whose key memory is port",
+        core.name);
+  }
   return core;
 }
 
@@ -106,8 +114,9 @@ Command add_info_command(CLI::App& program) {
       program.add_subcommand("info", "show the contents of a scene, its trees and its memory");
   arguments->scene.add_to(*command, true);
   command
-      ->add_option("--memory", arguments->memory,
-                   "write the memory behind a core's port: the bytes from the scene's first on")
+      ->add_option(
+          "--memory", arguments->memory,
+          "write the bytes of the memory of a core with a port, from the scene's first byte on")
       ->option_text("FILE");
   command
       ->add_option("--registers", arguments->registers,

@@ -10,11 +10,9 @@
 #include <glm/vector_relational.hpp>
 #include <set>
 
-#include "host/app/app_messages.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
 #include "host/error.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -40,14 +38,14 @@ void set_mirror(Scene& scene, const std::string& material, double part) {
     names.insert(m.name);
   }
   if (!names.contains(material)) {
-    wording::fail(wording::kNoMaterialNamed, scene.name, material,
-                  fmt::format("{}", fmt::join(names, ", ")));
+    refuse("scene '{}' has no material '{}'; its materials are {}", scene.name, material,
+           fmt::format("{}", fmt::join(names, ", ")));
   }
 }
 
 void require_light_rays(const CoreInfo& board, const std::string& flag) {
   if (board.lights == 0) {
-    refuse(messages::kNoLightRays, flag, board.name, with(&CoreInfo::lights));
+    refuse("{}: configuration {} has no light rays; {}", flag, board.name, with(&CoreInfo::lights));
   }
 }
 
@@ -65,7 +63,12 @@ PointLight parse_light(const std::string& text, const std::string& name) {
   const bool bright = std::isfinite(factor) && factor > 0 &&
                       glm::all(glm::greaterThanEqual(light.colour, glm::dvec3(0.0))) &&
                       glm::any(glm::greaterThan(light.colour, glm::dvec3(0.0)));
-  if (!bright) refuse(messages::kLightText, text);
+  if (!bright) {
+    refuse(
+        "--light {}: write X,Y,Z[:R,G,B[:INTENSITY]] with a colour that is neither negative nor "
+        "black, and an intensity above zero, for example 1,3,2:1,0.9,0.8:5",
+        text);
+  }
   light.colour *= factor;
   return light;
 }
@@ -74,7 +77,8 @@ std::pair<std::string, double> parse_mirror(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   double part = kMirrorShare;
   if (sign != text.npos && (!parse(text.substr(sign + 1), part) || !(part >= 0 && part <= 1))) {
-    refuse(messages::kMirrorText, text);
+    refuse("--mirror {}: write MATERIAL[=PART] with a part from 0 to 1, for example chrome=0.9",
+           text);
   }
   return {text.substr(0, sign), part};
 }
@@ -94,7 +98,8 @@ void LightOverrides::add_to(Scene& scene) const {
 
 void require_reflections(const CoreInfo& board, const std::string& flag) {
   if (board.reflections == 0) {
-    refuse(messages::kNoReflections, flag, board.name, with(&CoreInfo::reflections));
+    refuse("{}: configuration {} has no reflected rays; {}", flag, board.name,
+           with(&CoreInfo::reflections));
   }
 }
 
@@ -102,14 +107,18 @@ std::vector<std::string> unused_light(const Scene& scene, const CoreInfo& board)
   std::vector<std::string> notes;
   const std::size_t lights = scene.lights.size();
   if (lights > 0 && board.lights == 0) {
-    notes.push_back(fmt::format(messages::kLightsUnused, counted(lights, "light"), board.name,
-                                with(&CoreInfo::lights)));
+    notes.push_back(fmt::format(
+        "the scene has {}, but configuration {} has no light rays and lights it from the eye; {}",
+        counted(lights, "light"), board.name, with(&CoreInfo::lights)));
   } else if (lights > board.lights) {
-    notes.push_back(fmt::format(messages::kLightsTooMany, lights, board.name, board.lights));
+    notes.push_back(
+        fmt::format("the scene has {} lights, but configuration {} uses only the first {}", lights,
+                    board.name, board.lights));
   }
   if (mirrors_of(scene) > 0 && board.reflections == 0) {
-    notes.push_back(fmt::format(messages::kMirrorsUnused, counted(mirrors_of(scene), "mirror"),
-                                board.name, with(&CoreInfo::reflections)));
+    notes.push_back(fmt::format("the scene has {}, but configuration {} has no reflected rays; {}",
+                                counted(mirrors_of(scene), "mirror"), board.name,
+                                with(&CoreInfo::reflections)));
   }
   return notes;
 }

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <vector>
 
-#include "host/app/app_messages.h"
 #include "host/app/command.h"
 #include "host/app/text.h"
 #include "host/error.h"
@@ -20,8 +19,8 @@ namespace {
 
 constexpr char kAbout[] =
     "Renders scenes on dynrt, a ray tracing core for dynamic scenes. Its units are written in C++, "
-    "and\nhlsc lowers them to Verilog. --board rtl runs the Verilog behind an emulated PCI board; "
-    "--board\nmodel runs the same C++ natively. Both give the same bits.";
+    "and\nhlsc lowers them to Verilog. --board rtl runs the Verilog on an emulated PCI board; "
+    "--board\nmodel runs the same C++ as a native program. Both give the same bits.";
 constexpr char kFooter[] =
     "Exit codes: 0 success; 1 compare found a difference, or a stress case exceeds its bound; 2 a "
     "mistake in the input or the flags; 3 a defect of dynrt.\nExample: dynrt render office --size "
@@ -61,7 +60,11 @@ int run(int argc, char** argv) {
       add_specialise_command(program), add_view_command(program)};
   const auto is_first = [&](const Command& c) { return c.app->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(commands, is_first)) {
-    return complain(fmt::format(messages::kCommand, argv[1]), kMistake);
+    return complain(
+        fmt::format("{}: there is no such command; the commands are render, walk, compare, info, "
+                    "report, choose, measure, stress, needs, specialise and view",
+                    argv[1]),
+        kMistake);
   }
   std::string parsed;
   try {
@@ -75,7 +78,9 @@ int run(int argc, char** argv) {
     for (const Command& command : commands) {
       if (command.app->parsed()) parsed = command.app->get_name() + " ";
     }
-    return complain(fmt::format(messages::kUsage, one_sentence(error.what()), parsed), kMistake);
+    return complain(
+        fmt::format("{}; dynrt {}--help lists what there is", one_sentence(error.what()), parsed),
+        kMistake);
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
@@ -99,6 +104,6 @@ int main(int argc, char** argv) {
   } catch (const UserError& error) {
     return complain(error.what(), kMistake);
   } catch (const std::exception& error) {
-    return complain(fmt::format(messages::kDefect, error.what()), kDefect);
+    return complain(fmt::format("defect in dynrt: {}", error.what()), kDefect);
   }
 }

@@ -73,8 +73,8 @@ TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
 TEST_F(App, ATimeOutNeedsAClock) {
   for (const std::string command : {"render", "walk"}) {
     expect_mistake(command + " blocks" + kModel + "--timeout 100",
-                   "dynrt: --timeout 100: board model has no clock that could run out; take board "
-                   "rtl or leave the timeout out\n");
+                   "dynrt: --timeout 100: board model counts no clocks of its own, so it needs no "
+                   "timeout; take board rtl or leave the timeout out\n");
   }
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
@@ -59,15 +58,12 @@ std::string left_out(const ImportCounts& dropped) {
   return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
 }
 
-/// Throws UserError where the core lacks a primitive of the scene.
-void check_primitives(const Scene& scene, const CoreInfo& core) {
-  const char* missing = missing_primitive(scene, core);
-  if (missing == nullptr) return;
+/// The configurations that have all primitives of the scene.
+std::string with_primitives_of(const Scene& scene) {
   const auto with = names_of(configurations(), [&](const Configuration& c) {
     return missing_primitive(scene, c.core()) == nullptr;
   });
-  refuse(messages::kLacksPrimitive, core.name, missing, scene.name,
-         fmt::format("{}", fmt::join(with, ", ")));
+  return fmt::format("{}", fmt::join(with, " or "));
 }
 
 /// The rays and primitives that the user may ask for. For a specialised core they are those of the
@@ -105,7 +101,7 @@ Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInf
   }
   const CameraOverrides flags = arguments.camera();
   Scene scene = file.take();
-  if (allowed) check_primitives(scene, *allowed);
+  if (allowed) check_primitives(scene, *allowed, with_primitives_of(scene));
   View view{.width = width, .height = height};
   view.camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
   light.add_to(scene);
@@ -240,8 +236,11 @@ void Prepared::note_no_hit() {
   const glm::dvec3 high = space.outside(box.high);
   const glm::dvec3 from = space.outside(camera.position);
   const glm::dvec3 to = (low + high) / 2.0;
-  scene.notes.push_back(fmt::format(messages::kNoHit, low.x, low.y, low.z, high.x, high.y, high.z,
-                                    from.x, from.y, from.z, to.x, to.y, to.z));
+  scene.notes.push_back(fmt::format(
+      "no ray hits anything; the scene lies between ({:.4g}, {:.4g}, {:.4g}) and ({:.4g}, {:.4g}, "
+      "{:.4g}), and this camera sees all of it: --position {:.4g},{:.4g},{:.4g} --look-at "
+      "{:.4g},{:.4g},{:.4g}",
+      low.x, low.y, low.z, high.x, high.y, high.z, from.x, from.y, from.z, to.x, to.y, to.z));
 }
 
 }  // namespace dynrt::host

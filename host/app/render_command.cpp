@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -50,13 +49,18 @@ struct Arguments {
 /// Throws UserError for a pixel that the image has not, or without hit records or a file for it.
 std::optional<Pixel> Arguments::pixel_in(const FrameOptions& options) const {
   if (pixel.empty()) return std::nullopt;
-  if (frame.json.empty() || no_hits) refuse(messages::kPixelFlags, pixel);
+  if (frame.json.empty() || no_hits) {
+    refuse(
+        "--pixel {}: its hit record goes to the file of --json; name one and leave --no-hits out",
+        pixel);
+  }
   const auto comma = pixel.find(',');
   Pixel at;
   const std::string_view text(pixel);
   if (comma == text.npos || !parse(text.substr(0, comma), at.x) ||
       !parse(text.substr(comma + 1), at.y) || at.x >= options.width || at.y >= options.height) {
-    refuse(messages::kPixelText, pixel, options.width - 1, options.height - 1);
+    refuse("--pixel {}: write the numbers of a pixel of this image, from 0,0 to {},{}", pixel,
+           options.width - 1, options.height - 1);
   }
   return at;
 }
@@ -89,7 +93,12 @@ int run(const Arguments& arguments) {
                             {"--trace", arguments.trace},
                             {"--scan-out", arguments.scan_out}};
   if (!arguments.scan_out.empty()) {
-    if (is_at_link(arguments.board)) refuse(messages::kHasItsDisplay, arguments.board);
+    if (is_at_link(arguments.board)) {
+      refuse(
+          "board {} has a display of its own, which --scan-out does not read; leave out "
+          "--scan-out, or take board rtl",
+          arguments.board);
+    }
     check_image_path(arguments.scan_out);
   }
   check_outputs(outputs);
@@ -157,8 +166,8 @@ Command add_render_command(CLI::App& program) {
                    "write the hit record of this pixel, counted from the top left, with --json")
       ->option_text("X,Y");
   command->add_flag("--no-hits", arguments->no_hits,
-                    "write pixels alone and no hit records, as the thesis's core does: where many "
-                    "rays end in a clock, the banks cannot take the records as fast");
+                    "write only pixels and no hit records, as the thesis's core does; the banks "
+                    "cannot take the records of a core that completes many rays a clock as fast");
   arguments->frame.add_to(*command, "SCENE.png");
   arguments->specialise.add_to(*command, true);
   return {command, [arguments] { return run(*arguments); }};

@@ -6,7 +6,6 @@
 
 #include <iterator>
 
-#include "host/app/app_messages.h"
 #include "host/app/text.h"
 
 namespace dynrt::host {
@@ -97,12 +96,19 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
          grouped(static_cast<std::uint64_t>(figures.rays_per_second)));
   }
   text += memory_text(frame, figures.memory);
-  if (frame.run.missed_pixels) line(messages::kDisplayMissed);
+  if (frame.run.missed_pixels) {
+    line(
+        "warning     the display had to wait for its memory and missed pixels of pictures of this "
+        "size; the frame itself is complete");
+  }
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on {}",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), frame.traffic.seconds(), frame.bus);
   if (figures.dropped_pushes.value_or(0) > 0) {
-    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.stack_depth);
+    line(
+        "warning     {} pushes onto full stacks (of {} entries) were dropped: hits may be missing; "
+        "use a configuration with deeper stacks, such as deep",
+        grouped(*figures.dropped_pushes), frame.core.stack_depth);
   }
   if (!frame.core.counters) line("counters    configuration {} has none", frame.core.name);
   return text + units_text(figures) + caches_text(figures);

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/script_command.h"
@@ -36,7 +35,10 @@ int run(const Arguments& arguments, Study study) {
   const auto [width, height] = parse_size(arguments.scene.size);
   for (const unsigned side : {width, height}) {
     if (side == 0 || side % 2 != 0 || side > kMaxCountedSide) {
-      refuse(messages::kCountedSize, width, height, kMaxCountedSide);
+      refuse(
+          "--size {}x{}: dynrt counts work for packets of 2x2 rays, so both numbers must be even, "
+          "above 0 and at most {}",
+          width, height, kMaxCountedSide);
     }
   }
   if (!arguments.json.empty()) check_output_path(arguments.json);
@@ -101,7 +103,11 @@ Command add_report_command(CLI::App& program) {
                          "report_hardware");
   hardware.app->callback([chosen, hardware] { *chosen = hardware.run; });
   return {command, [chosen] {
-            if (!*chosen) refuse(messages::kNoReport);
+            if (!*chosen) {
+              refuse(
+                  "report: name a report; the reports are overlap, mailbox, clipping, error, "
+                  "hardware and truth");
+            }
             return (*chosen)();
           }};
 }

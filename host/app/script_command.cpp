@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "host/app/app_messages.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
 
@@ -36,7 +35,10 @@ ScriptCommand add_script_command(CLI::App& parent, const std::string& name,
             for (std::string& word : words) arguments.push_back(word.data());
             arguments.push_back(nullptr);
             execv(path.c_str(), arguments.data());
-            refuse(messages::kNoScript, path, std::string(std::strerror(errno)));
+            refuse(
+                "{}: cannot run this script: {}; the program needs the source folder that it was "
+                "built from",
+                path, std::string(std::strerror(errno)));
           }};
 }
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "host/app/analyst.h"
-#include "host/app/app_messages.h"
 #include "host/app/scene_flags.h"
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
@@ -43,7 +42,12 @@ ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame
   if (!specialise) {
     return {named ? frame.configuration : "", general_of(frame.configuration)};
   }
-  if (is_at_link(board)) refuse(messages::kHasItsCore, board);
+  if (is_at_link(board)) {
+    refuse(
+        "board {} has the core of its bitstream and takes no other, so leave out --specialise, or "
+        "take board rtl or model",
+        board);
+  }
   const std::string general = named ? frame.configuration : general_configuration(scene);
   std::vector<std::string> words = words_of(scene.arguments());
   words.push_back(scene.arguments().scene);
@@ -62,7 +66,10 @@ ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame
 }
 
 void SpecialiseFlags::refuse_unless_general(const Exceeded& over) const {
-  if (!general_if_exceeded) throw Exceeded(fmt::format(messages::kOrOnGeneral, over.what()));
+  if (!general_if_exceeded) {
+    throw Exceeded(fmt::format("{}, or add --general-if-exceeded to render it on the general core",
+                               over.what()));
+  }
 }
 
 }  // namespace dynrt::host

@@ -17,7 +17,6 @@
 
 #include "hls/json_text.h"
 #include "host/analysis/stress/run.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
@@ -47,7 +46,7 @@ class OtherFormat {
     const std::size_t comma = format.find(',');
     if (comma == std::string::npos || !parse(format.substr(0, comma), exponent_bits_) ||
         !parse(format.substr(comma + 1), mantissa_bits_)) {
-      refuse(messages::kFormatText, format);
+      refuse("--format {}: write the bits of exponent and mantissa, for example 7,12", format);
     }
     std::string pattern = (std::filesystem::temp_directory_path() / "dynrt-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
@@ -63,10 +62,11 @@ class OtherFormat {
   /// The file of a configuration of the table, with its format changed.
   std::string file(const std::string& configuration) const {
     if (is_configuration_file(configuration)) {
-      refuse(messages::kFormatOfFile, configuration);
+      refuse("--format: --config {} is a file, which has its own format; name a configuration",
+             configuration);
     }
     if (listed_configuration(configuration) == nullptr) {
-      refuse(messages::kFormatNotListed, configuration);
+      refuse("--format: there is no configuration '{}'", configuration);
     }
     const nlohmann::ordered_json keys{{"like", configuration},
                                       {"exponent_bits", exponent_bits_},

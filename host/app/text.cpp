@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/format/memory_format_of.h"
 
@@ -38,7 +37,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 void say(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    refuse(messages::kStdout, std::strerror(errno));
+    refuse("cannot print the report ({}); free some space or redirect the output to another place",
+           std::strerror(errno));
   }
 }
 
@@ -46,7 +46,7 @@ std::pair<unsigned, unsigned> parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
   std::pair<unsigned, unsigned> size;
   if (parts.size() != 2 || !parse(parts[0], size.first) || !parse(parts[1], size.second)) {
-    refuse(messages::kSizeText, text);
+    refuse("--size {}: write WIDTHxHEIGHT in pixels, for example 512x384", text);
   }
   return size;
 }
@@ -56,11 +56,13 @@ glm::dvec3 parse_vector(const std::string& flag, const std::string& text) {
   glm::dvec3 vector;
   if (parts.size() != 3 || !parse(parts[0], vector.x) || !parse(parts[1], vector.y) ||
       !parse(parts[2], vector.z)) {
-    refuse(messages::kVectorText, flag, text);
+    refuse("{} {}: write three numbers separated by commas, for example 1,2.5,-3", flag, text);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(std::abs(vector[axis]) <= kLargest))
-      refuse(messages::kVectorRange, flag, text, kLargest, kLargest);
+    if (!(std::abs(vector[axis]) <= kLargest)) {
+      refuse("{} {}: the numbers must lie within -{:.3g} and {:.3g}", flag, text, kLargest,
+             kLargest);
+    }
   }
   return vector;
 }

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -23,6 +22,7 @@
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
+#include "host/error.h"
 #include "host/picture/output_file.h"
 #include "host/view/view.h"
 
@@ -56,7 +56,10 @@ std::string configuration_of(const ViewChoices& choices) {
   namespace fs = std::filesystem;
   if (!choices.mantissa_bits) return choices.configuration;
   if (is_configuration_file(choices.configuration)) {
-    refuse(messages::kFormatOfThisFile, choices.configuration);
+    refuse(
+        "configuration {}: a file has its own number format; choose a listed configuration to "
+        "change it",
+        choices.configuration);
   }
   const fs::path folder = fs::temp_directory_path() / fmt::format("dynrt-view-{}", getuid());
   fs::create_directories(folder);
@@ -192,7 +195,7 @@ int record(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
   if (arguments.port == 0 || arguments.port > kLastPort) {
-    refuse(messages::kViewPort, arguments.port, kLastPort);
+    refuse("--port {}: a port is a number from 1 to {}", arguments.port, kLastPort);
   }
   arguments.clock.check();
   if (!arguments.exported.empty()) return record(arguments);
@@ -222,14 +225,14 @@ Command add_view_command(CLI::App& program) {
   arguments->clock.add_to(*command);
   command
       ->add_option("--port", arguments->port,
-                   "port of this computer at which the page is served, to its own browsers alone; "
-                   "if it is in use, the next that is free")
+                   "port of the page, for browsers on this computer only; if it is in use, the "
+                   "next free one")
       ->option_text(fmt::format("N [{}]", kViewPort))
       ->check(not_a_count);
   command
       ->add_option("--export", arguments->exported,
-                   "write one file that opens from disk and holds a recorded frame with all that "
-                   "the page shows of it, at most 20 MB, and end; the default size is then 256x192")
+                   "write one file of at most 20 MB that opens from disk and has the page with one "
+                   "recorded frame, and end; the default size is then 256x192")
       ->option_text("FILE.html");
   command->add_flag("--no-browser", arguments->no_browser,
                     "print the page's address and open no browser");

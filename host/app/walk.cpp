@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/scene/animation.h"
 
@@ -43,12 +42,18 @@ Camera turned(const Camera& camera, const glm::dvec3& centre, const glm::dvec3& 
 
 WalkPlan::WalkPlan(const Scene& scene, unsigned frames, std::optional<double> from,
                    std::optional<double> to) {
-  if (frames == 0 || frames > kMostFrames) refuse(messages::kFrames, frames, kMostFrames);
+  if (frames == 0 || frames > kMostFrames) {
+    refuse("--frames {}: a walk has 1 to {} frames", frames, kMostFrames);
+  }
   const double last = duration(scene);
   orbit = !(last > 0);
   const double begin = from.value_or(0);
   const double end = to.value_or(orbit ? kOrbitSeconds : last);
-  if (begin < 0 || !(end > begin)) refuse(messages::kTimes, begin, end);
+  if (begin < 0 || !(end > begin)) {
+    refuse(
+        "--from {} and --to {}: the walk must begin at 0 seconds or later and end after it begins",
+        begin, end);
+  }
   seconds = end - begin;
   if (orbit) {
     const Box box = bounds(scene);

@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -90,8 +89,8 @@ struct Place {
 bool is_within(const std::string& file, const std::string& folder) {
   namespace fs = std::filesystem;
   const fs::path place = fs::weakly_canonical(fs::absolute(file));
-  const fs::path room = fs::weakly_canonical(fs::absolute(folder));
-  return place == room || place.parent_path() == room;
+  const fs::path own = fs::weakly_canonical(fs::absolute(folder));
+  return place == own || place.parent_path() == own;
 }
 
 Place place_of(const Arguments& arguments) {
@@ -101,14 +100,19 @@ Place place_of(const Arguments& arguments) {
   std::string extension = fs::path(place.out).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (std::ranges::count(kOtherPictures, extension) != 0) refuse(messages::kWalkOut, place.out);
+  if (std::ranges::count(kOtherPictures, extension) != 0) {
+    refuse("--out {}: a walk is written to a folder, as PNG files, or to a .gif file", place.out);
+  }
   place.gif = extension == ".gif";
   check_walk_folder(place.folder());
   const std::string& json = arguments.frame.json;
   const Output outputs[] = {{"--out", place.gif ? place.out : ""}, {"--json", json}};
   check_outputs(outputs);
   if (!json.empty() && is_within(json, place.folder())) {
-    refuse(messages::kJsonInWalk, json, place.folder());
+    refuse(
+        "--json {}: this file lies in the folder where the walk keeps its frames, {}; name a file "
+        "in another folder",
+        json, place.folder());
   }
   return place;
 }
@@ -121,7 +125,7 @@ void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const C
     try {
       check_lights(scene, prepared.view.camera.position, core_numbers(board, prepared.space));
     } catch (const UserError& error) {
-      refuse(messages::kLightLater, error.what(), time);
+      refuse("{} (after {} seconds)", error.what(), time);
     }
   }
 }
@@ -179,7 +183,9 @@ int run(const Arguments& arguments) {
   if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {
     check_moving_lights(prepared, plan, board->core());
   }
-  if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);
+  if (plan.orbit)
+    prepared.scene.notes.push_back(
+        "neither the scene nor its camera moves, so the camera goes once round the scene's centre");
   nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};
   say(prepared.text() + walk_header());
 

@@ -11,7 +11,6 @@
 #include <regex>
 
 #include "hls/json_text.h"
-#include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/picture/gif.h"
 #include "host/picture/output_file.h"
@@ -107,7 +106,10 @@ std::vector<fs::path> WalkFolder::files() const {
     std::error_code gone;
     if (at->is_regular_file(gone)) found.push_back(at->path());
   }
-  if (error) refuse(messages::kCannotList, path_, error.message());
+  if (error) {
+    refuse("{}: cannot list the files of this folder: {}; name another --out", path_,
+           error.message());
+  }
   return found;
 }
 
@@ -115,7 +117,7 @@ void WalkFolder::remove_files(const std::function<bool(const fs::path&)>& which)
   for (const fs::path& file : files()) {
     std::error_code error;
     if (which(file) && !fs::remove(file, error) && error) {
-      refuse(messages::kCannotRemove, file.string(), error.message());
+      refuse("{}: cannot remove this file: {}; name another --out", file.string(), error.message());
     }
   }
 }
@@ -126,7 +128,10 @@ void WalkFolder::read() {
     for (const fs::path& file : files()) {
       const std::string name = file.filename().string();
       if (is_ours(file) && name[0] != '.') {
-        refuse(messages::kNotOurFrames, path_, name, kManifest);
+        refuse(
+            "{}: the folder has a {} but no {}, so dynrt did not write it as a walk; name another "
+            "--out, or give --again to replace its frames",
+            path_, name, kManifest);
       }
     }
     return;
@@ -134,7 +139,10 @@ void WalkFolder::read() {
   std::vector<std::string> before;
   try {
     std::ifstream file(manifest);
-    if (!file) refuse(messages::kCannotRead, manifest.string(), std::strerror(errno));
+    if (!file) {
+      refuse("{}: cannot read this file: {}; name another --out", manifest.string(),
+             std::strerror(errno));
+    }
     const Json json = Json::parse(file);
     for (const auto& [name, value] : settings_) {
       // A walk of an earlier dynrt may lack one, which makes it another walk.
@@ -144,13 +152,24 @@ void WalkFolder::read() {
       records_[name] = json_of(record_of(record));
     }
   } catch (const Json::exception& error) {
-    refuse(messages::kBadManifest, manifest.string(), error.what());
+    refuse(
+        "{}: a walk did not write this file ({}); name another --out, or give --again to start "
+        "again",
+        manifest.string(), error.what());
   }
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     const auto& [name, value] = settings_[i];
     if (before[i] == value) continue;
-    if (name == kSceneContent) refuse(messages::kChangedScene, path_);
-    refuse(messages::kOtherWalk, path_, name, before[i], value);
+    if (name == kSceneContent) {
+      refuse(
+          "{}: the folder holds frames of an older version of the scene; name another --out, or "
+          "give --again to replace them",
+          path_);
+    }
+    refuse(
+        "{}: the folder holds frames of another walk, with {} '{}' where this walk has '{}'; name "
+        "another --out, or give --again to replace them",
+        path_, name, before[i], value);
   }
 }
 

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "host/board/board.h"
-#include "host/board/board_messages.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {
@@ -18,8 +17,9 @@ inline void check_range(const Board& board, unsigned bank, std::uint32_t address
   const unsigned parts = bank < kSceneBanks ? board.core().format->bus_words() : 1;
   const std::size_t words = (bus_words + parts - 1) / parts;
   if (bank < kBanks && address <= kBankWords && words <= kBankWords - address) return;
-  throw std::out_of_range(fmt::format(messages::kOutsideBank, board.name(), address,
-                                      address + words, bank, kBanks, kBankWords));
+  throw std::out_of_range(fmt::format(
+      "board {}: there are no words {} to {} of bank {}; the board has {} banks of {} words",
+      board.name(), address, address + words, bank, kBanks, kBankWords));
 }
 
 }  // namespace dynrt::host

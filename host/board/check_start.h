@@ -5,7 +5,6 @@
 #include <bit>
 
 #include "host/board/board.h"
-#include "host/board/board_messages.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -21,8 +20,11 @@ inline bool can_render(const CoreInfo& core, const FrameConfig& frame) {
 
 /// The board has refused to start the frame.
 [[noreturn]] inline void refuse_start(const Board& board, const FrameConfig& frame) {
-  refuse(messages::kRefusedStart, board.name(), frame.packets.to_u64(),
-         frame.line_mask.to_u64() + 1, board.core().packets, board.core().lines);
+  refuse(
+      "board {}: it refused to start a frame with {} packets and {} cache lines; its core takes 1 "
+      "to {} packets, and a power of two of at most {} lines",
+      board.name(), frame.packets.to_u64(), frame.line_mask.to_u64() + 1, board.core().packets,
+      board.core().lines);
 }
 
 }  // namespace dynrt::host

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
 #include "host/board/rtl_board.h"
 #include "host/error.h"
@@ -36,8 +35,10 @@ bool has_rtl(const Configuration& configuration) {
 void refuse_folder(const std::string& name) {
   std::error_code unreachable;
   if (!std::filesystem::is_directory(name, unreachable)) return;
-  refuse(messages::kConfigurationFolder, name,
-         (std::filesystem::path(name) / "configuration.json").string());
+  refuse(
+      "configuration {}: this is a folder, but a configuration is a file; name one, such as the {} "
+      "that dynrt specialise writes",
+      name, (std::filesystem::path(name) / "configuration.json").string());
 }
 
 }  // namespace
@@ -51,7 +52,10 @@ const Configuration& find_configuration(std::span<const Configuration> table,
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
     refuse_folder(name);
-    refuse(messages::kNoConfiguration, name, list_of(table, any));
+    refuse(
+        "configuration {}: there is no such configuration; name one of {}, or a file FILE.json or "
+        "FILE.so",
+        name, list_of(table, any));
   }
   if (found->native != nullptr || found->rtl != nullptr) return *found;
   if (rtl && !found->lowered) return *found;  // no library has more
@@ -71,25 +75,45 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
                                   const BoardRequest& request) {
   const bool rtl = request.board == "rtl";
   if (!rtl && request.board != "model") {
-    refuse(messages::kNoBoard, request.board);
+    refuse("board {}: there is no such board; the boards are rtl, model, ulx3s and serial:DEVICE",
+           request.board);
   }
   const Configuration& configuration = find_configuration(table, request.configuration, rtl);
   CoreInfo core = configuration.core();
   core.name = configuration.name;
   add_general(core);
   if (!rtl) {
-    if (!request.trace.empty()) refuse(messages::kNoTrace);
+    if (!request.trace.empty()) {
+      refuse(
+          "waveforms: only board rtl has signals to record; take board rtl or leave the waveforms "
+          "out");
+    }
     return std::make_unique<ModelBoard>(std::move(core), configuration.native(), request.schedule);
   }
-  if (!request.schedule.empty()) refuse(messages::kScheduleOfRtl);
+  if (!request.schedule.empty()) {
+    refuse(
+        "schedules: only board model counts its clocks with schedules, as the Verilog has clocks "
+        "of its own; take board model or leave the schedules out");
+  }
   if (core.format->word_bits > kSramBits) {
-    refuse(messages::kWideWords, configuration.name,
-           1 + core.format->exponent_bits + core.format->mantissa_bits, core.format->word_bits,
-           kSramBits);
+    refuse(
+        "configuration {}: a float of {} bits needs memory words of {} bits, but the SRAM of board "
+        "rtl has words of {}; take board model",
+        configuration.name, 1 + core.format->exponent_bits + core.format->mantissa_bits,
+        core.format->word_bits, kSramBits);
   }
   if (configuration.rtl == nullptr) {
-    if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);
-    refuse(messages::kModelAlone, configuration.name, list_of(table, has_rtl));
+    if (std::ranges::none_of(table, has_rtl)) {
+      refuse(
+          "board rtl: the Verilog of configuration {} is not part of this build; configure with "
+          "-DDYNRT_RTL=ON or take board model",
+          configuration.name);
+    }
+    refuse(
+        "configuration {}: it has only the native model, so it has no board rtl; take a "
+        "configuration with Verilog ({}), or give it \"rtl\": true in hls/configs/configs.json and "
+        "build again",
+        configuration.name, list_of(table, has_rtl));
   }
   return std::make_unique<RtlBoard>(
       std::move(core),

@@ -7,7 +7,6 @@
 #include <exception>
 #include <stdexcept>
 
-#include "host/board/board_messages.h"
 #include "host/board/registers.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
@@ -47,12 +46,18 @@ void write_scan(RtlBoard& board, const ScanConfig& scan) {
 namespace {
 
 void check_scan_out(const Board& board) {
-  if (!board.has_scan_out()) refuse(messages::kNoScanOut, board.name(), board.core().name);
+  if (!board.has_scan_out()) {
+    refuse(
+        "board {} of configuration {} has no scan-out; take board rtl and a configuration with the "
+        "key scan_out, such as thesis",
+        board.name(), board.core().name);
+  }
 }
 
 void check_size(const DisplayMode& mode, unsigned width, unsigned height) {
   if (width > mode.hdisplay || height > mode.vdisplay) {
-    refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
+    refuse("a picture of {}x{} does not fit the display of {}x{}; render a smaller one", width,
+           height, mode.hdisplay, mode.vdisplay);
   }
 }
 
@@ -60,7 +65,12 @@ void check_size(const DisplayMode& mode, unsigned width, unsigned height) {
 
 void check_display_size(const CoreInfo& core, unsigned width, unsigned height) {
   const unsigned pitch = core.pitch(width);
-  if (pitch != width) refuse(messages::kDisplayPitch, core.name, pitch, width, kPitchStep);
+  if (pitch != width) {
+    refuse(
+        "a display shows rows that follow each other, and those of configuration {} begin {} "
+        "pixels apart where {} are rendered; render a picture whose width is a multiple of {}",
+        core.name, pitch, width, kPitchStep);
+  }
   check_size(k640x480.mode, width, height);
 }
 

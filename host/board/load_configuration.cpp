@@ -55,11 +55,15 @@ struct Library {
 Library open(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return {nullptr, fmt::format(messages::kNoConfigurationFile, path)};
-  if (!is_whole_library(path)) return {nullptr, fmt::format(messages::kNotALibrary, path)};
+  if (!is_whole_library(path))
+    return {nullptr, fmt::format("configuration {}: the shared library is cut off; make it again "
+                                 "with scripts/configuration",
+                                 path)};
   // An absolute path, as the loader looks for bare names elsewhere.
   void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    return {nullptr, fmt::format(messages::kNotLoaded, path, std::string(dlerror()))};
+    return {nullptr,
+            fmt::format("configuration {}: cannot load it: {}", path, std::string(dlerror()))};
   }
   const auto* fingerprint = symbol<const char*>(library, "dynrt_configuration_fingerprint");
   const auto configuration = symbol<const Configuration* (*)()>(library, "dynrt_configuration");
@@ -69,8 +73,14 @@ Library open(const std::string& path) {
   }
   const bool foreign = fingerprint == nullptr || configuration == nullptr;
   dlclose(library);
-  return {nullptr, foreign ? fmt::format(messages::kForeignLibrary, path)
-                           : fmt::format(messages::kOtherBuild, path)};
+  return {nullptr,
+          foreign
+              ? fmt::format("configuration {}: this shared library is not a configuration of "
+                            "dynrt; make one with scripts/configuration",
+                            path)
+              : fmt::format("configuration {}: it was made from other sources or by another "
+                            "compiler than this program; make it again with scripts/configuration",
+                            path)};
 }
 
 Loaded loaded_from(const std::string& path, std::string name) {
@@ -146,7 +156,12 @@ void make_ready(std::span<const Configuration> table, const std::string& name,
 
 std::string make_schedules(const std::string& name,
                            const std::function<void(const std::string& step)>& tell) {
-  if (name.ends_with(".so")) refuse(messages::kNoSchedulesOfLibrary, name);
+  if (name.ends_with(".so")) {
+    refuse(
+        "configuration {}: a shared library does not say what its units are made from; name the "
+        "JSON file that it was made from, and its units can be lowered",
+        name);
+  }
   if (name.ends_with(".json")) return make_verilog(name, tell);
   return make_verilog((listed_folder() / (name + ".json")).string(), tell);
 }

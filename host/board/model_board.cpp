@@ -5,7 +5,6 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "host/board/board_messages.h"
 #include "host/board/check_range.h"
 #include "host/board/check_start.h"
 #include "host/board/read_schedule.h"
@@ -47,7 +46,8 @@ FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progre
   try {
     cycles = native_->render(frame_, schedule_ ? &*schedule_ : nullptr, watch_);
   } catch (const std::invalid_argument& error) {
-    refuse(messages::kIncompleteSchedule, schedules_, error.what(), core_.name);
+    refuse("{}: {} of configuration {}; name the folder of that configuration's Verilog",
+           schedules_, error.what(), core_.name);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (progress) progress(frame_.width.to_u64() * frame_.height.to_u64());

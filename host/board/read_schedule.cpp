@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "host/board/board_messages.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -25,10 +24,16 @@ hls::ModuleSchedules read_schedule(const std::string& folder) {
       module.room = json.at("room").get<unsigned>();
       module.ram_stages = json.at("ram_stages").get<std::map<std::string, unsigned>>();
     } catch (const nlohmann::json::exception&) {
-      refuse(messages::kBadSchedule, entry.path().string());
+      refuse("{}: not a complete schedule of hlsc; lower the unit again or remove the file",
+             entry.path().string());
     }
   }
-  if (schedule.empty()) refuse(messages::kNoSchedule, folder);
+  if (schedule.empty()) {
+    refuse(
+        "{}: the folder has no schedules of hlsc; name the folder of a configuration's Verilog, "
+        "such as build/release/generated/fast",
+        folder);
+  }
   return schedule;
 }
 

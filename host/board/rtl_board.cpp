@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "host/board/board_messages.h"
 #include "host/board/check_range.h"
 #include "host/board/check_start.h"
 #include "host/board/registers.h"
@@ -22,6 +21,13 @@ namespace dynrt::host {
 namespace reg = registers;
 
 namespace {
+
+constexpr char kRefused[] =
+    "board {}: it refused an access during the frame; the SRAM and the frame's registers belong to "
+    "the core until the interrupt";
+
+constexpr char kBusHangs[] =
+    "board {}: the bus waits for ever at address {:#x}; the Verilog behind it is broken";
 
 static_assert(kMaxFrameWords <= 1u << reg::kFrameWordBits,
               "FrameConfig has more fields than the board has room for FRAME registers");
@@ -46,14 +52,25 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);
   if (id != reg::kIdValue || version != reg::kVersionValue) {
-    refuse(messages::kWrongId, name(), id, version, reg::kIdValue, reg::kVersionValue);
+    refuse(
+        "board {}: its registers give the id {:#x} and the version {:#x}, but the host expects "
+        "{:#x} and {:#x}; rebuild the Verilog and the host together",
+        name(), id, version, reg::kIdValue, reg::kVersionValue);
   }
   const std::uint32_t words = read_register(reg::kRegFrameWords);
   const std::size_t expected = core_.frame_words({}).size();
-  if (words != expected) refuse(messages::kFrameWords, name(), words, expected);
+  if (words != expected) {
+    refuse(
+        "board {}: it has {} frame registers, but the host writes {}; rebuild the Verilog and the "
+        "host together",
+        name(), words, expected);
+  }
   const std::uint32_t scan_words = read_register(reg::kRegScanWords);
   if (scan_words != 0 && scan_words != kScanWords) {
-    refuse(messages::kScanWords, name(), scan_words, kScanWords);
+    refuse(
+        "board {}: it has {} registers for its scan-out, but the host writes {}; rebuild the "
+        "Verilog and the host together",
+        name(), scan_words, kScanWords);
   }
   core_.scan_out = scan_words != 0;
   const std::uint32_t limits = read_register(reg::kRegLimits);
@@ -68,7 +85,12 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
 void RtlBoard::settle() {
   if (settles()) return;
   write_register(reg::kRegControl, 1u << reg::kControlReset);
-  if (!settles()) refuse(messages::kStaysBusy, name());
+  if (!settles()) {
+    refuse(
+        "board {}: its core stays busy after a reset; press the board's reset, or load its "
+        "bitstream again",
+        name());
+  }
 }
 
 bool RtlBoard::settles() {
@@ -102,8 +124,7 @@ void RtlBoard::start() {
   write_register(reg::kRegControl, 1u << reg::kControlStart);
   const std::uint32_t status = read_register(reg::kRegStatus);
   if (!(status >> reg::kStatusRefused & 1)) return;
-  if (status >> reg::kStatusBusy & 1)
-    throw std::logic_error(fmt::format(messages::kRefused, name()));
+  if (status >> reg::kStatusBusy & 1) throw std::logic_error(fmt::format(kRefused, name()));
   refuse_start(*this, frame_);
 }
 
@@ -116,7 +137,12 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
     const std::uint64_t before = clocked_->clocks();
     clocked_->run_until_interrupt(std::min(left, kClocksPerReport));
     const std::uint64_t passed = clocked_->clocks() - before;
-    if (passed == 0 && !clocked_->interrupt()) refuse(messages::kStandsStill, name(), before);
+    if (passed == 0 && !clocked_->interrupt()) {
+      refuse(
+          "board {}: its core stopped in the middle of a frame, after {} clocks; press the board's "
+          "reset, or load its bitstream again",
+          name(), before);
+    }
     // A core that writes pixels for ever is stuck as well.
     const std::uint64_t now = std::min(pixels_written(), pixels);
     left = now > written ? timeout : left - std::min(left, passed);
@@ -128,7 +154,7 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   write_register(reg::kRegIrqPending, 1);
   const std::uint32_t status = read_register(reg::kRegStatus);
   if (status >> reg::kStatusRefused & 1) {
-    throw std::logic_error(fmt::format(messages::kRefused, name()));
+    throw std::logic_error(fmt::format(kRefused, name()));
   }
   if (status >> reg::kStatusMemoryError & 1) refuse_memory_error();
   std::array<std::uint32_t, 2> cycles{};
@@ -155,9 +181,11 @@ void RtlBoard::refuse_memory_error() {
   write_register(reg::kRegMemoryError, 1u << reg::kMemoryErrorSeen);
   const bool is_write = (error >> reg::kMemoryErrorWrite & 1) != 0;
   const bool nothing_there = (error >> reg::kMemoryErrorResponse & 3) == kNoMemoryThere;
-  refuse(messages::kMemoryError, name(),
-         nothing_there ? "no memory, but an error of the bus," : "an error of the memory",
-         is_write ? "write" : "read", byte);
+  refuse(
+      "board {}: {} answered a {} of byte {:#x} of the core's memory, so the frame may be wrong; "
+      "look at what stands behind the core's port at that address",
+      name(), nothing_there ? "no memory, but an error of the bus," : "an error of the memory",
+      is_write ? "write" : "read", byte);
 }
 
 void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
@@ -166,7 +194,10 @@ void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
   const std::string state = where_units_stand(before, counters());
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw TimeoutError(fmt::format(messages::kTimeout, name(), timeout, pixels, status, state));
+  throw TimeoutError(
+      fmt::format("board {}: no interrupt and no pixel for {} clocks (a longer timeout allows "
+                  "more); {} pixels are written, the status is {:#x}, the units: {}",
+                  name(), timeout, pixels, status, state));
 }
 
 std::vector<Counter> RtlBoard::counters() {
@@ -191,14 +222,14 @@ void RtlBoard::write_register(std::uint32_t address, std::uint32_t value) {
 void RtlBoard::burst_write(std::uint32_t address, std::span<const std::uint32_t> words) {
   meter_.write(words.size());
   if (!clocked_->write(address, words)) {
-    refuse(messages::kBusHangs, name(), address);
+    refuse(kBusHangs, name(), address);
   }
 }
 
 void RtlBoard::burst_read(std::uint32_t address, std::span<std::uint32_t> words) {
   meter_.read(words.size());
   if (!clocked_->read(address, words)) {
-    refuse(messages::kBusHangs, name(), address);
+    refuse(kBusHangs, name(), address);
   }
 }
 

@@ -12,7 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
 
@@ -114,12 +113,14 @@ std::string made_by_script(const std::string& script, const std::vector<std::str
   }
   std::error_code error;
   if (!std::filesystem::exists(command.front(), error)) {
-    refuse(messages::kNoScriptToMake, what, command.front());
+    refuse(
+        "{}: is made by {}, which is not there; the program needs the folder that it was built "
+        "from",
+        what, command.front());
   }
   const CommandOutput output = output_of(command, answer);
   if (output.code != 0) {
-    refuse(messages::kNotMade, what,
-           output.text.empty() ? command.front() + " failed" : output.text);
+    refuse("{}: {}", what, output.text.empty() ? command.front() + " failed" : output.text);
   }
   return output.text;
 }

@@ -20,7 +20,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/board/board_messages.h"
 #include "host/board/clocked_board.h"
 #include "host/board/pin_memory.h"
 #include "host/board/sram.h"
@@ -113,7 +112,9 @@ class VerilatedBoard final : public ClockedBoard {
     waves_ = std::make_unique<VerilatedFstC>();
     top_->trace(waves_.get(), 99);
     waves_->open(trace.c_str());
-    if (!waves_->isOpen()) refuse(messages::kTrace, trace);
+    if (!waves_->isOpen()) {
+      refuse("{}: cannot write this file; name a file in a folder that can be written", trace);
+    }
   }
 
   void idle() {
@@ -174,7 +175,10 @@ class VerilatedBoard final : public ClockedBoard {
     top_->eval();
     if constexpr (kTraced) {
       if (waves_) waves_->dump(2 * clocks_ + half);
-      if (context_->gotError()) throw std::logic_error(fmt::format(messages::kAssertion, clocks_));
+      if (context_->gotError()) {
+        throw std::logic_error(fmt::format(
+            "an assertion of the Verilog, printed above, fails in clock {} of the board", clocks_));
+      }
     }
   }
 

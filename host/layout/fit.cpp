@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/layout/layout_messages.h"
 #include "host/memory/triangle_matrix.h"
 #include "host/scene/animation.h"
 #include "host/tree/instance_tree.h"
@@ -24,6 +23,8 @@
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kReaches[] = "{} {} = {:g}";
 
 constexpr int kCentreDigits = 3;  ///< binary, of a centre relative to the extent
 constexpr int kObjectStep = 4;    ///< powers of two, between the scales of objects
@@ -125,7 +126,7 @@ class Fitter {
     const glm::dvec3 from_centre = p - fit_.world.centre;
     for (int axis = 0; axis < 3; ++axis) {
       far_.include(from_centre[axis], [what, axis, p] {
-        return fmt::format(messages::kReaches, what(), static_cast<char>('x' + axis), p[axis]);
+        return fmt::format(kReaches, what(), static_cast<char>('x' + axis), p[axis]);
       });
     }
   }
@@ -150,8 +151,9 @@ class Fitter {
         const Space& object = fit_.objects[instance.object];
         const glm::dvec3 origin(glm::inverse(at[i]) * glm::dvec4(fit_.world.centre, 1.0));
         const glm::dvec3 seen = object.inside(origin);
-        far_.include(std::max({std::abs(seen.x), std::abs(seen.y), std::abs(seen.z)}),
-                     [&instance] { return fmt::format(messages::kSmallInstance, instance.name); });
+        far_.include(std::max({std::abs(seen.x), std::abs(seen.y), std::abs(seen.z)}), [&instance] {
+          return fmt::format("instance '{}' is scaled down too far", instance.name);
+        });
       }
     }
     const auto camera_stands = [] { return std::string("the camera stands at"); };
@@ -173,7 +175,7 @@ class Fitter {
         for (int axis = 0; axis < 3; ++axis) {
           geometry_ = std::max(geometry_, std::abs(p[axis]));
           far_.include(p[axis], [&mesh, axis, corner] {
-            return fmt::format(messages::kReaches, fmt::format("object '{}' reaches", mesh.name),
+            return fmt::format(kReaches, fmt::format("object '{}' reaches", mesh.name),
                                static_cast<char>('x' + axis), corner[axis]);
           });
         }
@@ -181,8 +183,8 @@ class Fitter {
       for (std::size_t i = 0; i < mesh.primitives(); ++i) {
         const double element = largest_element(mesh, i);
         fine_.include(element * space.unit, [&mesh, i, element] {
-          return fmt::format(messages::kSmall, mesh.is_ellipsoid(i) ? "sphere" : "triangle", i,
-                             mesh.name, element);
+          return fmt::format("{} {} of object '{}' has a matrix with the element {:g}",
+                             mesh.is_ellipsoid(i) ? "sphere" : "triangle", i, mesh.name, element);
         });
       }
     }
@@ -212,7 +214,10 @@ class Fitter {
     const double far = std::ldexp(far_.value, scale);
     const double fine = std::ldexp(fine_.value, -scale);
     if (!(far <= reach && fine <= format.largest)) {
-      refuse(messages::kNoScale, scene_.name, format.exponent_bits, far_.tell(), fine_.tell());
+      refuse(
+          "no scale fits scene '{}' into the {} exponent bits of the core's numbers: {}, and {}; "
+          "take a format with more exponent bits, or make the two more alike in size",
+          scene_.name, format.exponent_bits, far_.tell(), fine_.tell());
     }
     fit_.world.unit = std::ldexp(1.0, -scale);
     for (Space& object : fit_.objects) object.unit = std::ldexp(object.unit, -scale);

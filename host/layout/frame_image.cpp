@@ -10,7 +10,6 @@
 
 #include "host/error.h"
 #include "host/layout/add_tree.h"
-#include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/tree/instance_tree.h"
@@ -37,11 +36,17 @@ std::uint32_t entry_of(const ObjectImage::Object& object, const glm::dvec3& eye)
 /// Of the only object of a core of one level.
 std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const Camera& camera) {
   if (scene.instances.size() != 1) {
-    refuse(messages::kOneObject, scene.name, scene.instances.size());
+    refuse(
+        "scene '{}' has {} instances, but the core's trees have one level and hold one object; "
+        "take a configuration with levels 2",
+        scene.name, scene.instances.size());
   }
   const Instance& instance = scene.instances[0];
   if (instance.transform != glm::dmat4(1.0)) {
-    refuse(messages::kNotAsItIs, scene.name, instance.name);
+    refuse(
+        "scene '{}': instance '{}' moves, turns or scales its object, but the core's trees have "
+        "one level and cannot move an object; take a configuration with levels 2",
+        scene.name, instance.name);
   }
   return entry_of(objects.objects.at(instance.object), camera.position);
 }
@@ -123,10 +128,16 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
     // A zero of either sign is the positive one.
     const glm::dmat4x3 matrix = glm::dmat4x3(inverse) + 0.0;
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
-      refuse(messages::kFlatInstance, instance.name);
+      refuse(
+          "instance '{}' has a transform without an inverse; the transform must not flatten its "
+          "object",
+          instance.name);
     }
     if (const auto element = out_of_range(format, matrix)) {
-      refuse(messages::kInstanceRange, instance.name, *element, format.largest, format.largest);
+      refuse(
+          "instance '{}': the inverse of its transform has the element {:g}, outside the core's "
+          "numbers (-{:.5g} to {:.5g}); let the transform flatten or shrink its object less",
+          instance.name, *element, format.largest, format.largest);
     }
     const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
     const bool clipped = objects.core.tests_world_box() && is_tight(instance, object.box);
@@ -166,7 +177,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
 
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(format, from_pixels)) {
-    refuse(messages::kCameraRange, *element, largest, largest);
+    refuse(
+        "the camera's matrix has the element {:g}, outside the core's numbers (-{:.5g} to {:.5g}); "
+        "move the camera closer to the scene",
+        *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
   memory.add(to_columns(from_pixels, 0));
@@ -174,8 +188,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   for (const PointLight& light : scene.lights) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!format.holds(light.position[axis])) {
-        refuse(messages::kLightRange, light.name, static_cast<char>('x' + axis),
-               light.position[axis], largest, largest);
+        refuse(
+            "light '{}' stands at {} = {:g}, outside the core's numbers (-{:.5g} to {:.5g}); move "
+            "it closer to the scene",
+            light.name, static_cast<char>('x' + axis), light.position[axis], largest, largest);
       }
     }
     memory.add(light_columns(light));

@@ -13,7 +13,6 @@
 
 #include "host/error.h"
 #include "host/format/configuration_json.h"
-#include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
 #include "host/specialise/tree_needs.h"
 
@@ -54,7 +53,10 @@ void note_margins(MemoryImage& image) {
       beyond_margins(image.scene, image.view.camera.position, *image.core().format);
   if (names.empty()) return;
   const std::string others = names.size() == 1 ? "" : fmt::format(" and {} more", names.size() - 1);
-  image.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
+  image.scene.notes.push_back(fmt::format(
+      "object '{}'{} is small for the scene: a ray that starts many times its size away may miss "
+      "it at an edge that lies in a plane of its tree, although the watertight test would hit it",
+      names.front(), others));
 }
 
 /// For a specialised core check_within() has better messages, so here it only needs to fit the
@@ -67,9 +69,7 @@ void check_before(const Scene& scene, const CoreInfo& core) {
     check_matrices(scene, whole);
     return;
   }
-  if (const char* missing = missing_primitive(scene, core)) {
-    refuse(messages::kNoPrimitive, scene.name, missing, core.name);
-  }
+  check_primitives(scene, core);
   check_matrices(scene, core);
 }
 
@@ -152,7 +152,10 @@ void check_laid_out_for(const MemoryImage& image, const CoreInfo& core) {
     const Json laid = value_of(image.core(), key.name);
     const Json has = value_of(core, key.name);
     if (laid == has) return;
-    refuse(messages::kAnotherCore, image.scene.name, key.name, laid.dump(), core.name, has.dump());
+    refuse(
+        "scene '{}' is laid out for a core with {} {}, and configuration {} has {}; lay it out for "
+        "the core that renders it",
+        image.scene.name, key.name, laid.dump(), core.name, has.dump());
   });
 }
 

@@ -5,14 +5,12 @@
 #include <algorithm>
 
 #include "host/error.h"
-#include "host/layout/layout_messages.h"
 #include "host/memory/matrix_numbers.h"
 
 namespace dynrt::host {
 
 namespace {
 
-constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
 constexpr char kMatricesWithBoxes[] =
     "matrices (triangles, instances, their boxes, lights and the camera)";
 
@@ -21,16 +19,25 @@ void check_limit(const Scene& scene, const char* what, std::size_t needed, std::
                  const char* key, unsigned bits, unsigned memory_bits) {
   if (needed <= limit) return;
   if (bits == memory_bits) {
-    refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+    refuse(
+        "scene '{}' needs {} {}, {} more than the {} that the board's memory holds; use fewer or "
+        "smaller objects",
+        scene.name, needed, what, needed - limit, limit);
   }
-  refuse(messages::kOutOfReach, scene.name, needed, what, needed - limit, limit, key, bits);
+  refuse(
+      "scene '{}' needs {} {}, {} more than the {} that the core reaches; take a configuration "
+      "with more {} than {}",
+      scene.name, needed, what, needed - limit, limit, key, bits);
 }
 
 }  // namespace
 
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed) {
-  check_limit(scene, core.tests_world_box() ? kMatricesWithBoxes : kMatrices, needed,
-              std::size_t{1} << core.matrix_bits, "matrix_bits", core.matrix_bits, kMatrixBits);
+  check_limit(scene,
+              core.tests_world_box() ? kMatricesWithBoxes
+                                     : "matrices (triangles, instances, lights and the camera)",
+              needed, std::size_t{1} << core.matrix_bits, "matrix_bits", core.matrix_bits,
+              kMatrixBits);
 }
 
 std::size_t lights_used(const Scene& scene, const CoreInfo& core) {
@@ -84,7 +91,12 @@ void check_colours(const Scene& scene) {
     for (std::size_t i = 0; i < object.primitives(); ++i) {
       const Material& material = material_of(scene, object, i);
       const std::uint32_t colour = colour_bits(material.diffuse);
-      if (colour != first) refuse(messages::kColours, scene.name, first, colour, object.name);
+      if (colour != first) {
+        refuse(
+            "scene '{}' has surfaces of the colours {:#08x} and {:#08x} (object '{}', 0xBBGGRR), "
+            "but the core has one colour for all; take a configuration without one_colour",
+            scene.name, first, colour, object.name);
+      }
     }
   }
 }
@@ -96,6 +108,13 @@ const char* missing_primitive(const Scene& scene, const CoreConfiguration& core)
     if (!object.rectangles.empty() && !core.primitives.rectangle) return "rectangles";
   }
   return nullptr;
+}
+
+void check_primitives(const Scene& scene, const CoreInfo& core, const std::string& advice) {
+  if (const char* missing = missing_primitive(scene, core)) {
+    refuse("scene '{}' has {}, but configuration {} cannot hold them; take {}", scene.name, missing,
+           core.name, advice);
+  }
 }
 
 std::optional<double> out_of_range(const MemoryFormat& format, const glm::dmat4x3& matrix) {

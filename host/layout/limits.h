@@ -7,6 +7,7 @@
 
 #include <glm/mat4x3.hpp>
 #include <optional>
+#include <string>
 
 #include "host/format/core_info.h"
 #include "host/memory/memory.h"
@@ -42,6 +43,10 @@ std::uint32_t first_colour(const Scene& scene);
 
 /// The name of a kind of primitives that the scene has and the core lacks, or null.
 const char* missing_primitive(const Scene& scene, const CoreConfiguration& core);
+/// Throws for such a kind. `advice` names configurations that have it.
+void check_primitives(
+    const Scene& scene, const CoreInfo& core,
+    const std::string& advice = "a configuration whose key primitives lists them");
 
 /// The first element beyond the core's numbers; small ones round to the smallest magnitude.
 std::optional<double> out_of_range(const MemoryFormat& format, const glm::dmat4x3& matrix);

@@ -8,7 +8,6 @@
 
 #include "host/error.h"
 #include "host/layout/add_tree.h"
-#include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/memory/triangle_matrix.h"
@@ -51,15 +50,26 @@ UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primi
     unit.matrix += 0.0;
   } else {
     const auto matrix = triangle_matrix(mesh.corners(primitive));
-    if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
+    if (!matrix) {
+      refuse("object '{}', triangle {} has no area; its corners must not lie on one line",
+             mesh.name, primitive);
+    }
     const glm::dmat4x3 to_unit = *matrix + 0.0;
     unit = core.is_watertight() ? corner_matrix(mesh.corners(primitive), to_unit)
            : three              ? efficient_matrix(to_unit)
                                 : UnitMatrix{to_unit};
   }
   if (const auto element = out_of_range(format, unit.matrix)) {
-    if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
-    refuse(messages::kTriangleRange, mesh.name, primitive, *element, largest, largest);
+    if (sphere) {
+      refuse(
+          "object '{}', sphere {}: its matrix has the element {:g}, outside the core's numbers "
+          "(-{:.5g} to {:.5g}); make the sphere larger",
+          mesh.name, primitive, *element, largest, largest);
+    }
+    refuse(
+        "object '{}', triangle {}: its matrix has the element {:g}, outside the core's numbers "
+        "(-{:.5g} to {:.5g}); make the triangle thicker or larger",
+        mesh.name, primitive, *element, largest, largest);
   }
   return unit;
 }

@@ -25,7 +25,7 @@ class ByteStream {
   virtual std::size_t write(std::span<const std::uint8_t> bytes) = 0;
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
   /// Waits until bytes can be read, or until some can be written if there are any, at most until
-  /// `deadline`. Throws UserError if the line is no more.
+  /// `deadline`. Throws UserError if the device was disconnected.
   virtual void wait(bool to_write, Time deadline) = 0;
   virtual Time now() const = 0;
 

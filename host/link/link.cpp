@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/link/link_messages.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kNonsense[] =
+    "board {}: it sent {} bytes, but no answer of dynrt; load a bitstream of dynrt into the board, "
+    "or name its device";
 
 constexpr unsigned kIdentifications = 5;  ///< that are sent before it gives up
 /// Bytes that are handed to the line before it has sent them; with fewer it goes back sooner.
@@ -58,9 +61,12 @@ void BoardLink::identify() {
       }
     }
   }
-  if (!found && reader_.bytes() == 0) refuse(messages::kSilent, name());
+  if (!found && reader_.bytes() == 0) {
+    refuse("board {}: nothing answers; switch the board on, and load a bitstream of dynrt into it",
+           name());
+  }
   if (!found || word_at(found->data, kLinkMagic) != kLinkMagicValue) {
-    refuse(messages::kNonsense, name(), reader_.bytes());
+    refuse(kNonsense, name(), reader_.bytes());
   }
   const std::uint32_t facts = word_at(found->data, kLinkFacts);
   board_.version = facts & 0xff;
@@ -73,15 +79,20 @@ void BoardLink::identify() {
   const std::span letters = std::span(found->data).subspan(4 * kLinkName);
   board_.configuration.assign(letters.begin(), std::ranges::find(letters, 0));
   if (board_.version != kLinkVersion) {
-    refuse(messages::kOtherLink, name(), board_.version, kLinkVersion);
+    refuse(
+        "board {}: its link has version {}, but this program speaks version {}; load a bitstream "
+        "of this version of dynrt",
+        name(), board_.version, kLinkVersion);
   }
-  if (board_.beat_bytes < 2) refuse(messages::kNonsense, name(), reader_.bytes());
+  if (board_.beat_bytes < 2) refuse(kNonsense, name(), reader_.bytes());
 }
 
 void BoardLink::expect_configuration(std::string_view configuration) const {
   if (board_.configuration == configuration) return;
-  refuse(messages::kOtherConfiguration, name(), board_.configuration, configuration,
-         board_.configuration);
+  refuse(
+      "board {}: its bitstream has configuration {}, but configuration {} is asked for; load a "
+      "bitstream of that one, or ask for configuration {}",
+      name(), board_.configuration, configuration, board_.configuration);
 }
 
 void BoardLink::send(std::vector<std::uint8_t>& bytes) {
@@ -153,8 +164,10 @@ void BoardLink::take(Requests& requests, LinkWindow& window, const LinkAnswerFra
   if (request) {
     const LinkRequestFrame& frame = requests.frames[*request];
     if (answer.kind == kLinkRefused) {
-      refuse(messages::kLinkRefuses, name(), is_write(frame.command) ? "write" : "read",
-             frame.length, frame.address);
+      refuse(
+          "board {}: it refuses to {} {} bytes at address {:#x}; load a bitstream of this version "
+          "of dynrt",
+          name(), is_write(frame.command) ? "write" : "read", frame.length, frame.address);
     }
     const std::size_t length = is_write(frame.command) ? 0 : frame.length;
     if (answer.kind == answer_to(frame.command) && answer.data.size() == length) {
@@ -166,16 +179,24 @@ void BoardLink::take(Requests& requests, LinkWindow& window, const LinkAnswerFra
 
 void BoardLink::give_up(std::size_t answered, std::size_t requests) const {
   if (reader_.in_frame()) {
-    refuse(messages::kStopsInFrame, name(), answered, requests, patience_.repeats);
+    refuse(
+        "board {}: it stopped in the middle of an answer, after {} of {} requests, although each "
+        "was repeated {} times; reset the board and start again",
+        name(), answered, requests, patience_.repeats);
   }
-  refuse(messages::kStops, name(), answered, requests, patience_.repeats);
+  refuse(
+      "board {}: it stopped answering after {} of {} requests, although each was repeated {} "
+      "times; reset the board and start again",
+      name(), answered, requests, patience_.repeats);
 }
 
 void BoardLink::check_range(std::uint32_t address, std::size_t bytes) const {
   const std::uint64_t end = std::uint64_t{address} + bytes;
   if (end <= board_.memory_bytes) return;
-  refuse(messages::kMemoryTooSmall, name(), bytes, address, board_.memory_bytes,
-         end - board_.memory_bytes);
+  refuse(
+      "board {}: {} bytes at address {:#x} do not fit into its memory of {} bytes, by {} bytes; "
+      "take a smaller scene",
+      name(), bytes, address, board_.memory_bytes, end - board_.memory_bytes);
 }
 
 void BoardLink::write_memory(std::span<const MemoryBytes> parts, const LinkProgress& progress) {

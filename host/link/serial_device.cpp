@@ -16,11 +16,19 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/link/link_messages.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kDeviceGone[] =
+    "board {}: the serial device was disconnected; leave the board connected and switched on";
+
+constexpr char kNoSpeed[] =
+    "board serial:{}: the device has no speed of {} bits a second; take an adapter that has";
+
+constexpr char kNotSerial[] =
+    "board serial:{}: this is no serial device; name one, such as /dev/ttyUSB0";
 
 /// The name that termios has for a speed.
 speed_t speed_of(const std::string& path, unsigned baud) {
@@ -29,7 +37,7 @@ speed_t speed_of(const std::string& path, unsigned baud) {
       {921'600, B921600},    {1'000'000, B1000000}, {1'500'000, B1500000},
       {2'000'000, B2000000}, {3'000'000, B3000000}, {4'000'000, B4000000}};
   const auto* found = std::ranges::find(kSpeeds, baud, &std::pair<unsigned, speed_t>::first);
-  if (found == std::end(kSpeeds)) refuse(messages::kNoSpeed, path, baud);
+  if (found == std::end(kSpeeds)) refuse(kNoSpeed, path, baud);
   return found->second;
 }
 
@@ -40,18 +48,22 @@ speed_t speed_of(const std::string& path, unsigned baud) {
     case ENODEV:
     case ENXIO:
     case ENOTDIR:
-      refuse(messages::kNoDevice, path);
+      refuse("board serial:{}: there is no such device; connect the board, or name its device",
+             path);
     case EBUSY:
     case EWOULDBLOCK:
-      refuse(messages::kDeviceBusy, path);
+      refuse("board serial:{}: another program uses the device; end that program first", path);
     case EACCES:
     case EPERM:
-      refuse(messages::kDeviceForbidden, path);
+      refuse(
+          "board serial:{}: you may not open the device; join the group that owns it, often "
+          "dialout",
+          path);
     case EISDIR:
     case ENOTTY:
-      refuse(messages::kNotSerial, path);
+      refuse(kNotSerial, path);
     default:
-      refuse(messages::kDeviceFails, path, std::strerror(error));
+      refuse("board serial:{}: the device fails: {}", path, std::strerror(error));
   }
 }
 
@@ -66,7 +78,7 @@ int open_device(const std::string& path) {
 SerialDevice::File::~File() { ::close(number_); }
 
 SerialDevice::Lock::Lock(int file, const std::string& path) : file_(file) {
-  if (::isatty(file) == 0) refuse(messages::kNotSerial, path);
+  if (::isatty(file) == 0) refuse(kNotSerial, path);
   // The first keeps out programs that ask for this lock, even root's; the second all others.
   if (::flock(file, LOCK_EX | LOCK_NB) != 0 || ::ioctl(file, TIOCEXCL) != 0) refuse_failure(path);
 }
@@ -94,7 +106,7 @@ void SerialDevice::set_up(const std::string& path, unsigned baud) {
   termios now{};
   if (::cfsetspeed(&raw, speed) != 0 || ::tcsetattr(file_.number(), TCSANOW, &raw) != 0 ||
       ::tcgetattr(file_.number(), &now) != 0 || ::cfgetospeed(&now) != speed) {
-    refuse(messages::kNoSpeed, path, baud);
+    refuse(kNoSpeed, path, baud);
   }
   // A USB adapter hands over a few bytes at once, not after 16 ms; other devices know no such
   // thing.
@@ -110,15 +122,15 @@ std::size_t SerialDevice::write(std::span<const std::uint8_t> bytes) {
   const ssize_t written = ::write(file_.number(), bytes.data(), bytes.size());
   if (written >= 0) return static_cast<std::size_t>(written);
   if (errno == EAGAIN || errno == EINTR) return 0;
-  refuse(messages::kDeviceGone, name());
+  refuse(kDeviceGone, name());
 }
 
 std::size_t SerialDevice::read(std::span<std::uint8_t> bytes) {
   const ssize_t read = ::read(file_.number(), bytes.data(), bytes.size());
   if (read > 0 || (read == 0 && !hung_up_)) return static_cast<std::size_t>(read);
-  if (read == 0) refuse(messages::kDeviceGone, name());
+  if (read == 0) refuse(kDeviceGone, name());
   if (errno == EAGAIN || errno == EINTR) return 0;
-  refuse(messages::kDeviceGone, name());
+  refuse(kDeviceGone, name());
 }
 
 void SerialDevice::wait(bool to_write, Time deadline) {
@@ -128,7 +140,7 @@ void SerialDevice::wait(bool to_write, Time deadline) {
   const Time left = std::max(deadline - now(), Time(0));
   const auto timeout = std::chrono::ceil<milliseconds>(left).count();
   const int ready = ::poll(&poll, 1, static_cast<int>(timeout));
-  if (ready < 0 && errno != EINTR) refuse(messages::kDeviceGone, name());
+  if (ready < 0 && errno != EINTR) refuse(kDeviceGone, name());
   hung_up_ = ready > 0 && (poll.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 

@@ -8,12 +8,15 @@
 #include <system_error>
 
 #include "host/error.h"
-#include "host/picture/picture_messages.h"
 #include "host/program_part.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kNoImageLibrary[] =
+    "pictures need dynrt's library {}, which cannot be loaded ({}); build it again or put it into "
+    "the program's folder";
 
 namespace fs = std::filesystem;
 
@@ -30,10 +33,10 @@ fs::path find_library() {
 const ImageLibrary& load_image_library(const std::string& path) {
   const std::string name = fs::path(path).filename().string();
   void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);  // never closed
-  if (library == nullptr) refuse(messages::kNoImageLibrary, name, std::string(dlerror()));
+  if (library == nullptr) refuse(kNoImageLibrary, name, std::string(dlerror()));
   using Function = const ImageLibrary* (*)();
   const auto function = reinterpret_cast<Function>(dlsym(library, kImageLibraryFunction));
-  if (function == nullptr) refuse(messages::kNoImageLibrary, name, std::string(dlerror()));
+  if (function == nullptr) refuse(kNoImageLibrary, name, std::string(dlerror()));
   return *function();
 }
 

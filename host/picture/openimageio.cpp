@@ -139,7 +139,12 @@ class OpenImageIo final : public ImageLibrary {
     if (!output) refuse(messages::kCannotWrite, path, OIIO::geterror());
     Levels levels;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      if (!read(pictures[i], levels)) refuse(messages::kNotAPicture, pictures[i]);
+      if (!read(pictures[i], levels)) {
+        refuse(
+            "{}: this file is no longer the picture that dynrt wrote; remove it and run the same "
+            "command again",
+            pictures[i]);
+      }
       OIIO::ImageSpec spec(levels.spec.width, levels.spec.height, kChannels, OIIO::TypeDesc::UINT8);
       spec.attribute("FramesPerSecond", per_second);
       const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;

@@ -87,7 +87,8 @@ void check_outputs(std::span<const Output> outputs) {
     if (outputs[i].path.empty()) continue;
     for (const Output& other : outputs.first(i)) {
       if (!other.path.empty() && place_of(outputs[i].path) == place_of(other.path)) {
-        refuse(messages::kSameFile, outputs[i].flag, outputs[i].path, other.flag);
+        refuse("{} {}: {} writes the same file; name another file", outputs[i].flag,
+               outputs[i].path, other.flag);
       }
     }
     check_output_path(outputs[i].path);
@@ -98,7 +99,10 @@ void check_outputs(std::span<const Output> outputs) {
 void check_output_path(const std::string& path) {
   const fs::path folder = folder_of(path);
   std::error_code unreachable;
-  if (!fs::is_directory(folder, unreachable)) refuse(messages::kNoFolder, path, folder.string());
+  if (!fs::is_directory(folder, unreachable)) {
+    refuse("{}: there is no folder '{}'; create it or name a file elsewhere", path,
+           folder.string());
+  }
   if (fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(EISDIR));
   // Only trying tells: a folder may be read-only for reasons that its permissions do not show.
   const UnfinishedFile probe(temporary_for(path));

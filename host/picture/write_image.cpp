@@ -7,14 +7,14 @@
 #include "host/error.h"
 #include "host/picture/image_library.h"
 #include "host/picture/output_file.h"
-#include "host/picture/picture_messages.h"
 
 namespace dynrt::host {
 
 void check_image_path(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".png" && extension != ".exr") {
-    refuse(messages::kExtension, path, extension);
+    refuse("{}: dynrt does not write the image format '{}'; the name must end in .png or .exr",
+           path, extension);
   }
   check_output_path(path);
 }

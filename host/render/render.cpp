@@ -10,7 +10,6 @@
 #include "host/error.h"
 #include "host/format/frame_words.h"
 #include "host/render/frame_refused.h"
-#include "host/render/render_messages.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {
@@ -87,7 +86,10 @@ template <class... Args>
 void check_size(unsigned width, unsigned height) {
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || pixels > kMaxPixels) {
-    refuse_option("size", messages::kSize, width, height, kMaxSide, kMaxPixels);
+    refuse_option("size",
+                  "an image of {}x{} pixels is impossible: it has 1 to {} pixels a side and at "
+                  "most {} in all; the board's framebuffer and hit records hold no more",
+                  width, height, kMaxSide, kMaxPixels);
   }
 }
 
@@ -96,7 +98,10 @@ namespace {
 void check_pitch(const CoreInfo& core, unsigned width, unsigned height) {
   const unsigned pitch = core.pitch(width);
   if (std::uint64_t{pitch} * height <= kMaxPixels) return;
-  refuse_option("size", messages::kPitch, core.name, width, height, pitch, kMaxPixels);
+  refuse_option("size",
+                "configuration {} cannot hold an image of {}x{} pixels: its rows begin {} pixels "
+                "apart in the memory, which holds {} pixels",
+                core.name, width, height, pitch, kMaxPixels);
 }
 
 }  // namespace
@@ -108,16 +113,20 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   const unsigned packets = options.packets.value_or(core.packets);
   const unsigned lines = options.lines.value_or(core.lines);
   if (packets == 0 || packets > core.packets) {
-    refuse_option("packets", messages::kPackets, core.name, core.packets, packets);
+    refuse_option("packets", "configuration {} holds 1 to {} packets, not {}", core.name,
+                  core.packets, packets);
   }
   if (options.uncompressed && !core.uncompressed) {
     if (core.is_specialised()) refuse_excess({"uncompressed", "true", "false"}, core, "the frame");
-    refuse_option("uncompressed", messages::kUncompressed, core.name);
+    refuse_option("uncompressed",
+                  "configuration {} transforms one origin for all rays of a packet and cannot "
+                  "transform one for each ray; take another configuration",
+                  core.name);
   }
   const unsigned least = core.least_lines();
   if (!std::has_single_bit(lines) || lines < least || lines > core.lines) {
-    refuse_option("lines", messages::kLines, core.name, least, 2 * least, 4 * least, core.lines,
-                  lines);
+    refuse_option("lines", "the caches of configuration {} have {}, {}, {} up to {} lines, not {}",
+                  core.name, least, 2 * least, 4 * least, core.lines, lines);
   }
   FrameConfig frame;
   frame.packets = to_word(packets);
@@ -144,7 +153,8 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(core.reflections);
   if (reflections > core.reflections) {
-    refuse_option("reflections", messages::kReflections, core.name, core.reflections, reflections);
+    refuse_option("reflections", "configuration {} traces at most {} reflections of a ray, not {}",
+                  core.name, core.reflections, reflections);
   }
   frame.reflections = to_word(reflections);
   memory_timing(core, options);
@@ -155,10 +165,14 @@ std::optional<MemoryTiming> memory_timing(const CoreInfo& core, const FrameOptio
   const auto clocks = [&](const char* option, std::optional<unsigned> given, unsigned low,
                           unsigned high, unsigned otherwise) {
     if (given && core.memory == MemoryPath::kBanks) {
-      refuse_option(option, messages::kNoPort, core.name);
+      refuse_option(
+          option,
+          "the scene of configuration {} lies in banks of SRAM, whose clocks are its own; a "
+          "configuration with \"memory\": \"port\" has a memory whose clocks can be chosen",
+          core.name);
     }
     if (given && (*given < low || *given > high)) {
-      refuse_option(option, messages::kMemoryClocks, low, high, *given);
+      refuse_option(option, "the emulated memory takes {} to {} clocks, not {}", low, high, *given);
     }
     return given.value_or(otherwise);
   };

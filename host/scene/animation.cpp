@@ -12,9 +12,9 @@
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/spline.hpp>
 
+#include "host/error.h"
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -119,7 +119,7 @@ std::optional<Camera> camera(const Scene& scene, const std::vector<glm::dmat4>& 
       return look_at(position, position - glm::dvec3(m[2]), glm::dvec3(m[1]), field_of_view, 1.0);
     }
   } catch (const UserError& error) {
-    wording::fail(wording::kCameraTime, scene.name, time, error.what());
+    refuse("{}, after {} seconds: {}", scene.name, time, error.what());
   }
   return scene.camera;
 }
@@ -166,7 +166,7 @@ void move_to(Scene& scene, double time) {
     Instance& instance = scene.instances[i];
     if (!instance.motion) continue;
     instance.transform = placed[i];
-    require_inverse(instance, fmt::format(wording::kAtTime, scene.name, time));
+    require_inverse(instance, fmt::format("{}, after {} seconds", scene.name, time));
   }
   scene.camera = camera(scene, nodes, time);
 }

@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
+#include "host/error.h"
 #include "host/scene/animation.h"
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
 #include "host/scene/mesh_builder.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -126,8 +126,8 @@ class Conversion {
     }
     const aiAnimation& animation = **found;
     if (animations.size() > 1) {
-      scene_.notes.push_back(
-          fmt::format(wording::kAnimations, label_, animations.size(), animation.mName.C_Str()));
+      scene_.notes.push_back(fmt::format("{}: the file has {} animations; dynrt uses only '{}'",
+                                         label_, animations.size(), animation.mName.C_Str()));
     }
     seconds_ = 1.0 / (animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : 1.0);
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
@@ -139,8 +139,9 @@ class Conversion {
     const char* moved = animation.mNumMorphMeshChannels > 0 ? "morph targets"
                         : animation.mNumMeshChannels > 0    ? "vertices"
                                                             : "parts that dynrt does not know";
-    scene_.notes.push_back(
-        fmt::format(wording::kNothingMoves, label_, animation.mName.C_Str(), moved));
+    scene_.notes.push_back(fmt::format(
+        "{}: the animation '{}' moves no node, only {}, so dynrt renders the scene at rest", label_,
+        animation.mName.C_Str(), moved));
   }
 
   /// Bones move no instance, so parts that only follow bones stand still.
@@ -148,8 +149,9 @@ class Conversion {
     std::size_t skins = 0;
     for (unsigned m = 0; m < from_.mNumMeshes; ++m) skins += from_.mMeshes[m]->HasBones();
     if (skins == 0 || from_.mNumAnimations == 0) return;
-    scene_.notes.push_back(fmt::format(wording::kSkins, label_, skins, skins == 1 ? "" : "es",
-                                       skins == 1 ? "a skin" : "skins"));
+    scene_.notes.push_back(fmt::format(
+        "{}: {} mesh{} with {} cannot follow the animation of bones, so dynrt renders them at rest",
+        label_, skins, skins == 1 ? "" : "es", skins == 1 ? "a skin" : "skins"));
     rest_if_nothing_moves(scene_);
   }
 
@@ -213,7 +215,10 @@ class Conversion {
     const double time = keys.back().time;
     const bool rises = keys.size() == 1 || time > keys[keys.size() - 2].time;
     if (!is_finite || !(time >= 0.0) || !rises || !std::isfinite(time)) {
-      wording::fail(wording::kKeyframe, label_, node, keys.size() - 1, time);
+      refuse(
+          "{}: node '{}': keyframe {} of its animation, at {} seconds, cannot be used; times must "
+          "not be negative and must rise, values must be finite, rotations must not be zero",
+          label_, node, keys.size() - 1, time);
     }
   }
 
@@ -243,7 +248,8 @@ class Conversion {
     const double field_of_view = vertical_angle(from);
     if (!(field_of_view > 0.0)) {
       scene_.notes.push_back(
-          fmt::format(wording::kCameraNotPerspective, label_, from.mName.C_Str()));
+          fmt::format("{}: camera '{}' is not a perspective camera, so dynrt leaves it out", label_,
+                      from.mName.C_Str()));
       return;
     }
     // A glTF camera looks along -z of its node, y up; Assimp repeats the node's translation in its
@@ -257,7 +263,7 @@ class Conversion {
     try {
       scene_.camera = look_at(position, position + linear * view, linear * up, field_of_view, 1.0);
     } catch (const UserError& error) {
-      wording::fail(wording::kCameraNode, label_, from.mName.C_Str(), error.what());
+      refuse("{}: node '{}': {}", label_, from.mName.C_Str(), error.what());
     }
   }
 
@@ -265,8 +271,9 @@ class Conversion {
   double vertical_angle(const aiCamera& from) {
     const double aspect = from.mAspect > 0.0f ? from.mAspect : 1.0;
     if (from.mHorizontalFOV == kNotRead) {
-      scene_.notes.push_back(
-          fmt::format(wording::kCameraAngle, label_, from.mName.C_Str(), kFieldOfView));
+      scene_.notes.push_back(fmt::format(
+          "{}: camera '{}' has no name, so dynrt cannot read its angle and takes {} degrees",
+          label_, from.mName.C_Str(), kFieldOfView));
       return kFieldOfView;
     }
     // Of a glTF camera, Assimp gives the vertical angle times the aspect as the horizontal one.
@@ -277,7 +284,8 @@ class Conversion {
   void light(const aiLight& from, const glm::dmat4& transform) {
     const std::string name = from.mName.C_Str();
     if (from.mType != aiLightSource_POINT) {
-      scene_.notes.push_back(fmt::format(wording::kLightNotPoint, label_, name));
+      scene_.notes.push_back(
+          fmt::format("{}: light '{}' is not a point light, so dynrt leaves it out", label_, name));
       if (from.mType == aiLightSource_DIRECTIONAL) scene_.distant_lights.push_back(name);
       return;
     }
@@ -286,7 +294,10 @@ class Conversion {
     PointLight light{name, position, {c.r, c.g, c.b}};
     if (!finite(light.position) || !finite(light.colour) ||
         glm::any(glm::lessThan(light.colour, glm::dvec3(0.0)))) {
-      wording::fail(wording::kLight, label_, name);
+      refuse(
+          "{}: light '{}': its position and its colour must be finite, and the colour must not be "
+          "negative",
+          label_, name);
     }
     scene_.lights.push_back(std::move(light));
   }

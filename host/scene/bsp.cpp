@@ -5,11 +5,17 @@
 #include <bit>
 #include <cmath>
 
-#include "host/scene/scene_messages.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kBspEntities[] =
+    "{}: the list of entities ends inside an entity; the file is damaged";
+
+constexpr char kBspHeader[] =
+    "{}: the map has {} bytes, fewer than the {} of its header; it seems cut off";
 
 constexpr std::uint32_t kVersion = 46;
 constexpr std::size_t kHeaderBytes = 8 + 17 * 8;
@@ -49,12 +55,17 @@ class BspReader {
   BspReader(std::string_view bytes, const std::string& label) : bytes_(bytes), label_(label) {}
 
   BspMap run() {
-    if (!bytes_.starts_with("IBSP")) wording::fail(wording::kBspMagic, label_);
-    if (bytes_.size() < 8) wording::fail(wording::kBspHeader, label_, bytes_.size(), kHeaderBytes);
+    if (!bytes_.starts_with("IBSP")) {
+      refuse("{}: not a Quake 3 map: the file must begin with 'IBSP' and the version 46", label_);
+    }
+    if (bytes_.size() < 8) refuse(kBspHeader, label_, bytes_.size(), kHeaderBytes);
     const std::uint32_t version = Record(bytes_).word(4);
-    if (version != kVersion) wording::fail(wording::kBspVersion, label_, version, kVersion);
+    if (version != kVersion) {
+      refuse("{}: the map has version {}; dynrt reads only version {}, that of Quake 3", label_,
+             version, kVersion);
+    }
     if (bytes_.size() < kHeaderBytes) {
-      wording::fail(wording::kBspHeader, label_, bytes_.size(), kHeaderBytes);
+      refuse(kBspHeader, label_, bytes_.size(), kHeaderBytes);
     }
     textures();
     vertices();
@@ -70,10 +81,12 @@ class BspReader {
     const Record header(bytes_.substr(8 + 8 * std::size_t{lump.number}, 8));
     const std::size_t begin = header.word(0), length = header.word(4);
     if (begin > bytes_.size() || length > bytes_.size() - begin) {
-      wording::fail(wording::kBspLump, label_, lump.name, begin, begin + length, bytes_.size());
+      refuse("{}: the map's {} lie in bytes {} to {}, but it has {} bytes; it seems cut off",
+             label_, lump.name, begin, begin + length, bytes_.size());
     }
     if (length % lump.record_bytes != 0) {
-      wording::fail(wording::kBspLumpSize, label_, lump.name, length, lump.record_bytes);
+      refuse("{}: the map's {} take {} bytes, which is not a multiple of {}; the file is damaged",
+             label_, lump.name, length, lump.record_bytes);
     }
     return bytes_.substr(begin, length);
   }
@@ -99,7 +112,7 @@ class BspReader {
       BspVertex vertex{{r.real(0), r.real(4), r.real(8)}, {r.real(20), r.real(24)}, {}};
       const glm::dvec3& p = vertex.position;
       if (!std::isfinite(p.x + p.y + p.z)) {
-        wording::fail(wording::kBspVertex, label_, map_.vertices.size());
+        refuse("{}: vertex {} is not finite; the file is damaged", label_, map_.vertices.size());
       }
       // Map compilers leave anything at vertices that have no lightmap.
       if (!std::isfinite(vertex.lightmap.x + vertex.lightmap.y)) vertex.lightmap = {0.0, 0.0};
@@ -119,7 +132,8 @@ class BspReader {
   void require(std::size_t face, const char* what, std::int64_t first, std::int64_t count,
                std::size_t all) const {
     if (first < 0 || count < 0 || first + count > static_cast<std::int64_t>(all)) {
-      wording::fail(wording::kBspFaceRange, label_, face, what, first, first + count - 1, all);
+      refuse("{}: face {} uses {} {} to {}, but there are {}; the file is damaged", label_, face,
+             what, first, first + count - 1, all);
     }
   }
 
@@ -130,7 +144,10 @@ class BspReader {
       BspFace face;
       const std::uint32_t type = r.word(8);
       if (type < BspFace::kPolygon || type > BspFace::kBillboard) {
-        wording::fail(wording::kBspFaceType, label_, number, type);
+        refuse(
+            "{}: face {} is of type {}; types are 1 (polygon), 2 (patch), 3 (mesh) and 4 "
+            "(billboard)",
+            label_, number, type);
       }
       face.type = static_cast<BspFace::Type>(type);
       require(number, "texture", r.integer(0), 1, map_.textures.size());
@@ -147,7 +164,10 @@ class BspReader {
         const auto odd = [](std::uint32_t n) { return n >= 3 && n % 2 == 1; };
         if (!odd(face.patch.x) || !odd(face.patch.y) ||
             std::uint64_t{face.patch.x} * face.patch.y != vertices) {
-          wording::fail(wording::kBspPatch, label_, number, face.patch.x, face.patch.y, vertices);
+          refuse(
+              "{}: face {} is a patch of {} by {} control points and has {}; both sides must be "
+              "odd and at least 3, and their product must be that number",
+              label_, number, face.patch.x, face.patch.y, vertices);
         }
       } else if (face.type != BspFace::kBillboard) {
         corners(face, number, r, vertices, mesh_vertices);
@@ -160,7 +180,10 @@ class BspReader {
                const std::vector<Record>& mesh_vertices) const {
     require(number, "mesh vertices", r.integer(20), r.integer(24), mesh_vertices.size());
     const std::uint32_t first = r.word(20), count = r.word(24);
-    if (count % 3 != 0) wording::fail(wording::kBspCorners, label_, number, count);
+    if (count % 3 != 0) {
+      refuse("{}: face {} has {} corners, which is not a multiple of 3; the file is damaged",
+             label_, number, count);
+    }
     for (std::uint32_t i = first; i < first + count; ++i) {
       const std::int32_t corner = mesh_vertices[i].integer(0);
       require(number, "corner", corner, 1, vertices);
@@ -172,8 +195,8 @@ class BspReader {
     for (const Record& r : records(kModels)) {
       const std::int64_t first = r.integer(24), count = r.integer(28);
       if (first < 0 || count < 0 || first + count > static_cast<std::int64_t>(map_.faces.size())) {
-        wording::fail(wording::kBspModel, label_, map_.models.size(), first, first + count - 1,
-                      map_.faces.size());
+        refuse("{}: model {} uses faces {} to {}, but there are {}; the file is damaged", label_,
+               map_.models.size(), first, first + count - 1, map_.faces.size());
       }
       map_.models.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
     }
@@ -195,7 +218,7 @@ class BspReader {
         inside = false;
       } else if (c == '"' && inside) {
         const auto end = rest.find('"');
-        if (end == rest.npos) wording::fail(wording::kBspEntities, label_);
+        if (end == rest.npos) refuse(kBspEntities, label_);
         std::string text(rest.substr(0, end));
         rest.remove_prefix(end + 1);
         if (has_key) {
@@ -206,7 +229,7 @@ class BspReader {
         has_key = !has_key;
       }
     }
-    if (inside) wording::fail(wording::kBspEntities, label_);
+    if (inside) refuse(kBspEntities, label_);
   }
 
   const std::string_view bytes_;

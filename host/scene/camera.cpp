@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "host/scene/scene_messages.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 
@@ -20,12 +20,14 @@ constexpr glm::dvec3 kFramedFrom{0.5, 0.4, 1.0};  // right, above and in front o
 
 void require_finite(const glm::dvec3& v, const char* what) {
   if (!std::isfinite(v.x + v.y + v.z)) {
-    wording::fail(wording::kCameraNotFinite, what, v.x, v.y, v.z);
+    refuse("the camera's {} ({}, {}, {}) is not finite", what, v.x, v.y, v.z);
   }
 }
 
 void require_field_of_view(double degrees) {
-  if (!(degrees > 0.0 && degrees < 180.0)) wording::fail(wording::kFieldOfView, degrees);
+  if (!(degrees > 0.0 && degrees < 180.0)) {
+    refuse("the camera's field of view is {} degrees; it must lie between 0 and 180", degrees);
+  }
 }
 
 Camera widen(Camera camera, double aspect) {
@@ -88,11 +90,17 @@ Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::
   require_finite(up, "up");
   require_field_of_view(field_of_view);
   const double distance = glm::length(target - position);
-  if (!(distance > 0.0)) wording::fail(wording::kCameraPoint, target.x, target.y, target.z);
+  if (!(distance > 0.0)) {
+    refuse(
+        "the camera's position and the point that it looks at are the same ({}, {}, {}); move one "
+        "of the two",
+        target.x, target.y, target.z);
+  }
   const glm::dvec3 forward = (target - position) / distance;
   const glm::dvec3 sideways = glm::cross(forward, up);
   if (!(glm::length(sideways) > 1e-9 * glm::length(up))) {
-    wording::fail(wording::kCameraUp, up.x, up.y, up.z);
+    refuse("the camera's up direction ({}, {}, {}) is parallel to its view; give another one", up.x,
+           up.y, up.z);
   }
   const double height = 2.0 * std::tan(glm::radians(field_of_view) / 2.0);
   const glm::dvec3 right = glm::normalize(sideways);
@@ -111,7 +119,9 @@ Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double 
 }
 
 Camera choose_camera(const Scene& scene, const CameraOverrides& flags, int width, int height) {
-  if (width < 1 || height < 1) wording::fail(wording::kImageSize, width, height);
+  if (width < 1 || height < 1) {
+    refuse("the image is {}x{} pixels; both sides must be at least 1", width, height);
+  }
   const double aspect = static_cast<double>(width) / height;
   const bool flagged = flags.position || flags.look_at || flags.up || flags.field_of_view;
   if (scene.camera && !flagged) return widen(*scene.camera, aspect);

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "host/error.h"
 #include "host/scene/check_file.h"
 #include "host/scene/json_reader.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -54,8 +54,8 @@ void check_depth(const nlohmann::json& nodes, const std::string& path) {
     for (std::size_t at = n; at != kNone; at = parent[at]) {
       if (++depth <= kDeepestNode) continue;
       const bool named = nodes[n].contains("name") && nodes[n]["name"].is_string();
-      wording::fail(wording::kNodesDeep, path,
-                    named ? nodes[n]["name"].get<std::string>() : std::to_string(n), kDeepestNode);
+      refuse("{}: node '{}' lies more than {} levels deep or inside itself; flatten the node graph",
+             path, named ? nodes[n]["name"].get<std::string>() : std::to_string(n), kDeepestNode);
     }
   }
 }
@@ -84,8 +84,9 @@ void check_keyframes(const nlohmann::json& json, const std::string& path) {
       const nlohmann::json target = channel.value("target", nlohmann::json::object());
       const nlohmann::json& node = element(json, "nodes", "node", target);
       const bool named = node.is_object() && node.contains("name") && node["name"].is_string();
-      wording::fail(wording::kChannelEmpty, path,
-                    named ? node["name"].get<std::string>() : target.value("node", target).dump());
+      refuse(
+          "{}: node '{}': its animation has no keyframes; add a keyframe or remove the animation",
+          path, named ? node["name"].get<std::string>() : target.value("node", target).dump());
     }
   }
 }

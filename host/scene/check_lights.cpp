@@ -13,8 +13,8 @@
 #include <limits>
 #include <optional>
 
+#include "host/error.h"
 #include "host/scene/camera.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -121,12 +121,16 @@ void check_light(const Scene& scene, const std::vector<Box>& boxes, const PointL
       const char* kind = mesh.is_ellipsoid(*primitive)   ? "sphere"
                          : mesh.is_rectangle(*primitive) ? "rectangle"
                                                          : "triangle";
-      wording::fail(wording::kLightOnSurface, scene.name, light.name, told.x, told.y, told.z, kind,
-                    *primitive, instance.name);
+      refuse(
+          "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies on {} {} of '{}': the core's numbers "
+          "cannot tell the two apart; move the light away from the surface",
+          scene.name, light.name, told.x, told.y, told.z, kind, *primitive, instance.name);
     }
     if (is_inside(mesh, point) && !is_inside(mesh, glm::dvec3(into * glm::dvec4(eye, 1.0)))) {
-      wording::fail(wording::kLightInside, scene.name, light.name, told.x, told.y, told.z,
-                    instance.name);
+      refuse(
+          "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies inside '{}', a closed object that no "
+          "light leaves; move the light",
+          scene.name, light.name, told.x, told.y, told.z, instance.name);
     }
   }
 }
@@ -135,7 +139,10 @@ void check_light(const Scene& scene, const std::vector<Box>& boxes, const PointL
 
 void check_lights(const Scene& scene, const glm::dvec3& eye, const CoreNumbers& numbers) {
   if (!scene.distant_lights.empty()) {
-    wording::fail(wording::kLightDistant, scene.name, scene.distant_lights[0]);
+    refuse(
+        "scene '{}': light '{}' is infinitely far away, and dynrt has only point lights; make it a "
+        "point light that is far away, or remove it",
+        scene.name, scene.distant_lights[0]);
   }
   if (scene.lights.empty()) return;
   std::vector<Box> boxes;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "host/error.h"
 #include "host/scene/check_file.h"
-#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
 
 namespace dynrt::host {
@@ -49,7 +49,7 @@ class ObjCheck {
     const std::string_view all = trim(line);
     for (int k = 0; k < 3; ++k) {
       if (!to_number(take_word(line))) {
-        wording::fail(wording::kObjVertex, path_, line_, printable(all));
+        refuse("{}:{}: a vertex needs three numbers, not '{}'", path_, line_, printable(all));
       }
     }
   }
@@ -59,7 +59,10 @@ class ObjCheck {
     for (auto word = take_word(line); !word.empty() && word[0] != '#'; word = take_word(line)) {
       ++corners;
     }
-    if (corners < 3) wording::fail(wording::kObjFaceShort, path_, line_, corners);
+    if (corners < 3) {
+      refuse("{}:{}: a face needs at least three vertices, but this one has {}", path_, line_,
+             corners);
+    }
   }
 
   static std::string printable(std::string_view word) {

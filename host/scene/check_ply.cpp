@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <map>
 
+#include "host/error.h"
 #include "host/scene/check_file.h"
-#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kPlyShort[] = "{}:{}: the line has fewer numbers than element '{}' has properties";
 
 /// Bytes of each of the format's types, by both of its names.
 const std::map<std::string_view, unsigned> kBytes = {
@@ -43,7 +45,12 @@ class PlyCheck {
       if (element.properties.empty()) continue;
       for (long long i = 0; i < element.count; ++i) {
         const bool whole = ascii_ ? line_of(element) : bytes_of(element);
-        if (!whole) wording::fail(wording::kPlyCutOff, path_, element.count, element.name, i);
+        if (!whole) {
+          refuse(
+              "{}: the PLY header announces {} of element '{}', but the file ends after {}; it "
+              "seems cut off",
+              path_, element.count, element.name, i);
+        }
       }
     }
     return data;
@@ -59,7 +66,9 @@ class PlyCheck {
 
   void header() {
     for (;;) {
-      if (rest_.empty()) wording::fail(wording::kPlyHeaderEnds, path_);
+      if (rest_.empty()) {
+        refuse("{}: the PLY header has no 'end_header'; the file seems cut off", path_);
+      }
       const std::string_view line = next_line();
       std::string_view words = line;
       const std::string_view keyword = take_word(words);
@@ -68,7 +77,9 @@ class PlyCheck {
                         : keyword == "element"  ? element(words)
                         : keyword == "property" ? property(words)
                                                 : true;
-      if (!good) wording::fail(wording::kPlyHeader, path_, line_, line.substr(0, 60));
+      if (!good) {
+        refuse("{}:{}: '{}' is not a line of a PLY header", path_, line_, line.substr(0, 60));
+      }
     }
   }
 
@@ -113,11 +124,11 @@ class PlyCheck {
       double numbers = 1.0;
       if (property.count_bytes > 0) {
         const auto count = to_number(take_word(line));
-        if (!count) wording::fail(wording::kPlyShort, path_, line_, element.name);
+        if (!count) refuse(kPlyShort, path_, line_, element.name);
         numbers = *count;
       }
       for (double k = 0.0; k < numbers; ++k) {
-        if (take_word(line).empty()) wording::fail(wording::kPlyShort, path_, line_, element.name);
+        if (take_word(line).empty()) refuse(kPlyShort, path_, line_, element.name);
       }
     }
     return true;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 
+#include "host/error.h"
 #include "host/scene/animation.h"
 #include "host/scene/camera.h"
 #include "host/scene/description_parts.h"
@@ -49,8 +50,8 @@ class Description {
       for (const JsonReader& at : file_.objects("scatter")) add_scattered(at);
     }
     if (scene_.instances.empty()) {
-      wording::fail(wording::kNoTriangles, file_.file(), scene_.dropped.zero_area_triangles,
-                    scene_.dropped.points_and_lines);
+      refuse(messages::kNoTriangles, file_.file(), scene_.dropped.zero_area_triangles,
+             scene_.dropped.points_and_lines);
     }
     require_every_object_used();
     if (file_.has("camera")) add_camera(file_.object("camera"));
@@ -63,10 +64,6 @@ class Description {
   }
 
  private:
-  [[noreturn]] static void fail(const JsonReader& at, const std::string& sentence) {
-    wording::fail(wording::kDescription, at.file(), at.where(), sentence);
-  }
-
   static glm::dmat4 placement(const JsonReader& part) {
     const glm::dmat4 moved =
         glm::translate(glm::dmat4(1.0), part.vector("position", glm::dvec3(0.0)));
@@ -76,13 +73,13 @@ class Description {
   void add_object(const JsonReader& object) {
     object.only({"name", "parts"});
     const std::string name = object.text("name");
-    if (object_of_.contains(name)) fail(object, fmt::format(wording::kTwice, name));
+    if (object_of_.contains(name)) object.refuse("there are two objects named '{}'", name);
     MeshBuilder builder(name);
     for (const JsonReader& part : object.objects("parts")) {
       builder.append(parts_.read(part), placement(part));
     }
     Mesh mesh = builder.take();
-    if (mesh.primitives() == 0) fail(object, fmt::format(wording::kNoParts, name));
+    if (mesh.primitives() == 0) object.refuse("the object '{}' has no parts", name);
     object_of_[name] = static_cast<std::uint32_t>(scene_.objects.size());
     scene_.objects.push_back(std::move(mesh));
   }
@@ -90,7 +87,7 @@ class Description {
   std::uint32_t object(const JsonReader& at, const char* key) const {
     const std::string name = at.text(key);
     const auto found = object_of_.find(name);
-    if (found == object_of_.end()) fail(at, fmt::format(wording::kNoObject, name));
+    if (found == object_of_.end()) at.refuse("there is no object '{}'", name);
     return found->second;
   }
 
@@ -104,7 +101,11 @@ class Description {
     instance.transform = at.has("matrix") ? matrix(at) : placement.matrix();
     require_inverse(instance, at.file());
     if (at.has("motion")) {
-      if (at.has("matrix")) fail(at, wording::kMatrixMotion);
+      if (at.has("matrix")) {
+        at.refuse(
+            "an instance with a 'motion' cannot have a 'matrix'; give position, turn, rotate and "
+            "scale");
+      }
       instance.motion = static_cast<std::uint32_t>(scene_.motion.size());
       scene_.motion.push_back(read_motion(at.object("motion"), placement));
       scene_.motion.back().name = instance.name;
@@ -126,16 +127,19 @@ class Description {
     const auto above = [](const glm::dvec2& a, const glm::dvec2& b) {
       return glm::all(glm::greaterThan(a, b));
     };
-    if (!above(wanted.to, wanted.from)) fail(at, wording::kScatterCorners);
+    if (!above(wanted.to, wanted.from)) at.refuse("'from' must be below 'to' on both axes");
     if (!(wanted.scale.x > 0.0 && wanted.scale.y >= wanted.scale.x)) {
-      fail(at, wording::kScatterScale);
+      at.refuse("'scale' must be two numbers above zero, the lower one first");
     }
     if (at.has("ground")) wanted.ground = &scene_.objects[object(at, "ground")];
     const std::uint32_t scattered = object(at, "object");
     const std::string name = at.text("name", at.text("object"));
     const std::vector<glm::dmat4> placed = scatter(wanted);
     if (placed.size() < wanted.count) {
-      fail(at, fmt::format(wording::kScatterFull, placed.size(), wanted.count, name));
+      at.refuse(
+          "there is room for only {} of {} instances of '{}'; scatter fewer, closer together or "
+          "over a larger area",
+          placed.size(), wanted.count, name);
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
       scene_.instances.push_back({name + " " + std::to_string(i + 1), scattered, placed[i]});
@@ -155,7 +159,7 @@ class Description {
       const std::uint32_t object = index;
       const bool used = std::any_of(scene_.instances.begin(), scene_.instances.end(),
                                     [&](const Instance& i) { return i.object == object; });
-      if (!used) fail(file_, fmt::format(wording::kUnusedObject, name));
+      if (!used) file_.refuse("no instance uses the object '{}'", name);
     }
   }
 
@@ -167,7 +171,7 @@ class Description {
     } catch (const UserError& error) {
       const std::string text = error.what();
       if (text.starts_with(at.file())) throw;
-      fail(at, text);
+      at.refuse("{}", text);
     }
   }
 
@@ -182,7 +186,8 @@ class Description {
   }
 
   void add_path() {
-    if (!scene_.camera) fail(file_, wording::kPathCamera);
+    if (!scene_.camera)
+      file_.refuse("a 'path' needs a 'camera', which gives its field of view and its up direction");
     scene_.path = read_path(file_);
     scene_.path_up = file_.object("camera").vector("up", kUp);
   }

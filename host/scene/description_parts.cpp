@@ -11,18 +11,16 @@
 #include <map>
 #include <set>
 
+#include "host/error.h"
 #include "host/scene/generate.h"
 #include "host/scene/map.h"
 #include "host/scene/mesh_builder.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
 namespace {
 
-[[noreturn]] void fail(const JsonReader& at, const std::string& sentence) {
-  wording::fail(wording::kDescription, at.file(), at.where(), sentence);
-}
+constexpr char kNoMaterial[] = "the model has no material '{}'; its materials are {}";
 
 }  // namespace
 
@@ -31,7 +29,7 @@ Mesh PartReader::read(const JsonReader& part) {
   if (part.has("map")) return map(part);
   if (part.has("generate")) return generated(part);
   if (part.has("primitive")) return primitive(part);
-  fail(part, wording::kPartKind);
+  part.refuse("a part needs one of the keys 'model', 'map', 'generate' and 'primitive'");
 }
 
 glm::dvec3 PartReader::colour(const JsonReader& at, const std::string& key) const {
@@ -39,13 +37,13 @@ glm::dvec3 PartReader::colour(const JsonReader& at, const std::string& key) cons
     const std::string name = at.text(key);
     const auto colours =
         file_.has("colours") ? std::optional(file_.object("colours")) : std::nullopt;
-    if (!colours || !colours->has(name)) fail(at, fmt::format(wording::kNoColour, name));
+    if (!colours || !colours->has(name)) at.refuse("'{}' is not a colour of this file", name);
     return colour(*colours, name);
   }
   const glm::dvec3 rgb = at.vector(key);
   if (glm::any(glm::lessThan(rgb, glm::dvec3(0.0))) ||
       glm::any(glm::greaterThan(rgb, glm::dvec3(1.0)))) {
-    fail(at, fmt::format(wording::kColourRange, key));
+    at.refuse("'{}' must be three numbers from 0 to 1", key);
   }
   return rgb;
 }
@@ -58,7 +56,7 @@ void PartReader::repaint(const JsonReader& colours, Scene& model) const {
     if (material == model.materials.end()) {
       std::vector<std::string> names;
       for (const Material& m : model.materials) names.push_back(m.name);
-      fail(colours, fmt::format(wording::kNoMaterial, name, fmt::join(names, ", ")));
+      colours.refuse(kNoMaterial, name, fmt::join(names, ", "));
     }
     material->diffuse = colour(colours, name);
   }
@@ -72,7 +70,7 @@ void PartReader::polish(const JsonReader& part, Scene& model) const {
   for (const Material& material : model.materials) names.insert(material.name);
   for (const std::string& name : part.texts("mirror")) {
     if (!names.contains(name)) {
-      fail(part, fmt::format(wording::kNoMaterial, name, fmt::join(names, ", ")));
+      part.refuse(kNoMaterial, name, fmt::join(names, ", "));
     }
     for (Material& material : model.materials) {
       if (material.name == name) material.mirror = kMirrorShare;
@@ -99,11 +97,16 @@ Mesh PartReader::model(const JsonReader& part) {
   if (!furniture_) furniture_.emplace(packages_.furniture);
   const std::string id = part.text("model");
   const auto entry = furniture_->find(id);
-  if (!entry) wording::fail(wording::kNoModel, part.file(), part.where(), id);
+  if (!entry) {
+    refuse("{}: {}: the package sweethome3d-furniture has no model with the catalogue id '{}'",
+           part.file(), part.where(), id);
+  }
   std::optional<glm::dvec3> size;
   if (part.has("size")) {
     size = part.vector("size");
-    if (!glm::all(glm::greaterThan(*size, glm::dvec3(0.0)))) fail(part, wording::kSize);
+    if (!glm::all(glm::greaterThan(*size, glm::dvec3(0.0)))) {
+      part.refuse("'size' must be three numbers above zero");
+    }
   }
   Scene model = furniture_->load(*entry, size);
   if (part.has("colours")) repaint(part.object("colours"), model);
@@ -134,7 +137,8 @@ Mesh PartReader::map(const JsonReader& part) {
   Scene map = load_package_map(name, options, packages_.maps);
   for (const auto& [texture, unused] : colours) {
     if (!met.contains(texture)) {
-      fail(part.object("colours"), fmt::format(wording::kNoTexture, texture, fmt::join(met, ", ")));
+      part.object("colours").refuse("the map has no texture '{}'; its textures are {}", texture,
+                                    fmt::join(met, ", "));
     }
   }
   const double scale = part.has("scale") ? part.positive("scale") : 1.0;
@@ -151,7 +155,7 @@ Mesh PartReader::generated(const JsonReader& part) {
   if (shape == "box") {
     part.only({"generate", "name", "colour", "mirror", "from", "to", "position", "turn"});
     const glm::dvec3 low = part.vector("from"), high = part.vector("to");
-    if (!glm::all(glm::lessThan(low, high))) fail(part, wording::kBoxCorners);
+    if (!glm::all(glm::lessThan(low, high))) part.refuse("'from' must be below 'to' on every axis");
     return make_box(low, high, material);
   }
   if (shape == "sphere") {
@@ -171,7 +175,7 @@ Mesh PartReader::generated(const JsonReader& part) {
     return make_hills(part.positive("side"), part.number("height"), part.integer("cells", 1, 250),
                       material);
   }
-  fail(part, fmt::format(wording::kShape, shape));
+  part.refuse("dynrt cannot generate '{}'; it generates sphere, box, torus and hills", shape);
 }
 
 Mesh PartReader::primitive(const JsonReader& part) {
@@ -182,11 +186,19 @@ Mesh PartReader::primitive(const JsonReader& part) {
   Mesh mesh;
   if (shape == "sphere") {
     part.only({"primitive", "name", "colour", "mirror", "radius", "radii", "position", "turn"});
-    if (part.has("radius") == part.has("radii")) fail(part, wording::kRadius);
+    if (part.has("radius") == part.has("radii")) {
+      part.refuse("a sphere has either a 'radius' or three 'radii'");
+    }
     const glm::dvec3 radii =
         part.has("radii") ? part.vector("radii") : glm::dvec3(part.positive("radius"));
-    if (!glm::all(glm::greaterThan(radii, glm::dvec3(0.0)))) fail(part, wording::kRadii);
-    if (part.flag("mirror", false)) fail(part, wording::kSphereMirror);
+    if (!glm::all(glm::greaterThan(radii, glm::dvec3(0.0)))) {
+      part.refuse("'radii' must be three numbers above zero");
+    }
+    if (part.flag("mirror", false)) {
+      part.refuse(
+          "a sphere that is a primitive cannot be a 'mirror', as each of its points would reflect "
+          "in another direction; generate a sphere of triangles");
+    }
     mesh.ellipsoids.push_back({glm::scale(glm::dmat4(1.0), radii), material});
     return mesh;
   }
@@ -196,12 +208,12 @@ Mesh PartReader::primitive(const JsonReader& part) {
     const Rectangle rectangle{part.vector("corner"), part.vector("across"), part.vector("along"),
                               material};
     if (has_zero_area(glm::dvec3(0.0), rectangle.across, rectangle.along)) {
-      fail(part, wording::kRectangle);
+      part.refuse("'across' and 'along' must not be zero and must not lie on one line");
     }
     mesh.rectangles.push_back(rectangle);
     return mesh;
   }
-  fail(part, fmt::format(wording::kPrimitive, shape));
+  part.refuse("'{}' is not a primitive; the primitives are sphere and rectangle", shape);
 }
 
 }  // namespace dynrt::host

@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 
+#include "host/error.h"
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
 #include "host/scene/mesh_builder.h"
@@ -17,6 +18,10 @@
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kCatalogueKey[] =
+    "{}: the catalogue's entry '{}' has no usable '{}'; reinstall the package "
+    "sweethome3d-furniture";
 
 constexpr char kCatalogue[] = "PluginFurnitureCatalog.properties";
 constexpr char kRemedy[] = "reinstall the package sweethome3d-furniture";
@@ -43,15 +48,20 @@ Furniture::Furniture(const std::string& folder) {
   for (const auto& file : std::filesystem::directory_iterator(folder, missing)) {
     if (file.path().extension() == ".sh3f") libraries.insert(file.path().string());
   }
-  if (libraries.empty()) wording::fail(wording::kNoPackage, folder);
+  if (libraries.empty()) {
+    refuse(
+        "the models of this scene come from the Debian package sweethome3d-furniture, which is not "
+        "installed ({} has no .sh3f file); install it with: apt-get install sweethome3d-furniture",
+        folder);
+  }
   for (const std::string& library : libraries) read_catalogue(library);
 }
 
 void Furniture::read_catalogue(const std::string& library) {
   const auto text = ZipLibrary(library, kRemedy).read(kCatalogue);
-  if (!text)
-    wording::fail(wording::kBadLibrary, library, std::string("it does not hold ") + kCatalogue,
-                  kRemedy);
+  if (!text) {
+    refuse(messages::kBadLibrary, library, std::string("it does not hold ") + kCatalogue, kRemedy);
+  }
   std::map<std::string, Keys> models;  // by the number behind '#'
   for (std::string_view rest = *text; !rest.empty();) {
     std::string_view line = trim(take_until(rest, '\n'));
@@ -79,7 +89,7 @@ std::optional<FurnitureEntry> Furniture::find(const std::string& id) const {
   const auto metres = [&](std::string_view key) {
     const auto number = to_number(text(key));
     if (!number || !(*number > 0.0)) {
-      wording::fail(wording::kCatalogueKey, found->second.library, id, key);
+      refuse(kCatalogueKey, found->second.library, id, key);
     }
     return *number * kMetres;
   };
@@ -92,7 +102,7 @@ std::optional<FurnitureEntry> Furniture::find(const std::string& id) const {
   entry.size = {metres("width"), metres("height"), metres("depth")};
   if (keys.contains("modelRotation")) {
     const auto matrix = rotation(text("modelRotation"));
-    if (!matrix) wording::fail(wording::kCatalogueKey, library, id, "modelRotation");
+    if (!matrix) refuse(kCatalogueKey, library, id, "modelRotation");
     entry.rotation = *matrix;
   }
   return entry;
@@ -102,8 +112,7 @@ Scene Furniture::load(const FurnitureEntry& entry, std::optional<glm::dvec3> siz
   ZipLibrary library(entry.library, kRemedy);
   const std::string label = entry.library + ":" + entry.model;
   const auto text = library.read(entry.model);
-  if (!text)
-    wording::fail(wording::kBadLibrary, entry.library, entry.model + " is missing", kRemedy);
+  if (!text) refuse(messages::kBadLibrary, entry.library, entry.model + " is missing", kRemedy);
   // Descriptions give the catalogue's materials their colours by name.
   Scene scene = import_obj(library, entry.model, *text, label, Textures::kIgnored);
 

@@ -20,6 +20,7 @@
 #include <glm/matrix.hpp>
 #include <string_view>
 
+#include "host/error.h"
 #include "host/scene/assimp_scene.h"
 #include "host/scene/check_file.h"
 #include "host/scene/crash_guard.h"
@@ -37,6 +38,8 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kRejected[] = "{}: not a valid {} file: {}";
 
 constexpr double kSingular = 1e-12;  // the volume that three unit axes must exceed
 
@@ -83,15 +86,19 @@ void check_mesh(const aiMesh& mesh, const std::string& label) {
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& v = mesh.mVertices[i];
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
-      wording::fail(wording::kVertexNotFinite, label, name, i, v.x, v.y, v.z);
+      refuse("{}: mesh '{}', vertex {}: the position ({}, {}, {}) is not finite", label, name, i,
+             v.x, v.y, v.z);
     }
   }
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices == 0) wording::fail(wording::kFaceEmpty, label, name, f);
+    if (face.mNumIndices == 0) {
+      refuse("{}: mesh '{}', face {}: the face has no vertices; it needs three", label, name, f);
+    }
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
       if (face.mIndices[k] < mesh.mNumVertices) continue;
-      wording::fail(wording::kFaceRange, label, name, f, face.mIndices[k], mesh.mNumVertices);
+      refuse("{}: mesh '{}', face {}: the face uses vertex {}, but the mesh has {} vertices", label,
+             name, f, face.mIndices[k], mesh.mNumVertices);
     }
   }
 }
@@ -112,15 +119,17 @@ const aiScene& read(Assimp::Importer& importer, const std::string& path, const s
     reason = error.what();
   }
   if (scene == nullptr && reason.starts_with("No suitable reader")) {
-    wording::fail(wording::kNotOfFormat, label, format);
+    refuse("{}: not a valid {} file: it has another format or is cut off", label, format);
   }
-  if (scene == nullptr) wording::fail(wording::kRejected, label, format, one_sentence(reason));
-  if (dropped_faces.any()) wording::fail(wording::kFacesDropped, label);
+  if (scene == nullptr) refuse(kRejected, label, format, one_sentence(reason));
+  if (dropped_faces.any()) {
+    refuse("{}: some faces use vertices that their mesh does not have", label);
+  }
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) check_mesh(*scene->mMeshes[m], label);
   // Pre-transforming, joining and splitting are left out on purpose: see import.h.
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    wording::fail(wording::kRejected, label, format, one_sentence(importer.GetErrorString()));
+    refuse(kRejected, label, format, one_sentence(importer.GetErrorString()));
   }
   return *scene;
 }
@@ -143,7 +152,10 @@ std::string format_of(std::string_view extension) {
 }
 
 std::string crash_of(const std::string& label, std::string_view extension) {
-  return fmt::format(wording::kCrash, label, format_of(extension));
+  return fmt::format(
+      "{}: is damaged: Assimp crashed while it read this {} file; export it again, or in another "
+      "format",
+      label, format_of(extension));
 }
 
 AssimpForm form_of(std::string_view extension) {
@@ -162,8 +174,8 @@ Scene convert(Assimp::Importer& importer, const std::string& path, const std::st
     mix_textures(scene, *importer.GetIOHandler(), path, label, result);
   }
   if (result.instances.empty()) {
-    wording::fail(wording::kNoTriangles, label, result.dropped.zero_area_triangles,
-                  result.dropped.points_and_lines);
+    refuse(messages::kNoTriangles, label, result.dropped.zero_area_triangles,
+           result.dropped.points_and_lines);
   }
   return result;
 }
@@ -188,7 +200,8 @@ void note_missing(const std::vector<std::string>& material_files, Assimp::IOSyst
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   for (const std::string& name : material_files) {
     if (!files.Exists((folder / name).string().c_str())) {
-      scene.notes.push_back(fmt::format(wording::kNoMaterialFile, label, name));
+      scene.notes.push_back(fmt::format(
+          "{}: there is no material file '{}', so its materials are grey", label, name));
     }
   }
 }
@@ -202,11 +215,19 @@ void require_inverse(const Instance& instance, const std::string& label) {
     for (int row = 0; row < 4; ++row) affine &= std::isfinite(m[column][row]);
     affine &= m[column][3] == (column == 3 ? 1.0 : 0.0);
   }
-  if (!affine) wording::fail(wording::kTransformNotAffine, label, instance.name);
+  if (!affine) {
+    refuse(
+        "{}: node '{}': its transform is not affine; the last row must be 0 0 0 1, and all numbers "
+        "must be finite",
+        label, instance.name);
+  }
   const glm::dmat3 linear(m);
   const double lengths = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
   if (!(std::abs(glm::determinant(linear)) > kSingular * lengths)) {
-    wording::fail(wording::kNoInverse, label, instance.name);
+    refuse(
+        "{}: node '{}': its transform has no inverse; its three axes must not be zero and must not "
+        "lie in one plane",
+        label, instance.name);
   }
 }
 
@@ -246,8 +267,10 @@ Scene import_gltf(Assimp::IOSystem& disk, const std::string& path) {
   if (gltf.bare_skins > 0) {
     rest_if_nothing_moves(scene);
     const bool one = gltf.bare_skins == 1;
-    scene.notes.push_back(fmt::format(wording::kBareSkins, path, gltf.bare_skins, one ? "" : "s",
-                                      one ? "its" : "their"));
+    scene.notes.push_back(
+        fmt::format("{}: dynrt leaves out {} skin{} without 'inverseBindMatrices' and renders {} "
+                    "meshes at rest",
+                    path, gltf.bare_skins, one ? "" : "s", one ? "its" : "their"));
   }
   return scene;
 }
@@ -258,7 +281,10 @@ Scene import_file(const std::string& path) {
   const std::string extension = extension_of(path);
   const std::vector<std::string> known = assimp_extensions();
   if (std::ranges::find(known, extension) == known.end()) {
-    wording::fail(wording::kExtension, path, extension, fmt::format("{}", fmt::join(known, ", ")));
+    refuse(
+        "{}: dynrt does not read files with the extension '{}'; it reads .json, .bsp and .pk3, and "
+        "through Assimp {}",
+        path, extension, fmt::format("{}", fmt::join(known, ", ")));
   }
   Assimp::DefaultIOSystem disk;
   const CrashGuard guard(crash_of(path, extension));  // until the importer has tidied up

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/error.h"
 #include "host/scene/check_file.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kJson[] = "{}:{}: not valid JSON: {}";
 
 constexpr char kTop[] = "the file";
 constexpr int kDeepest = 64;
@@ -47,16 +49,18 @@ int depth_of(std::string_view text) {
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text, const std::string& path) {
-  if (depth_of(text) > kDeepest) wording::fail(wording::kJsonDeep, path, kDeepest);
+  if (depth_of(text) > kDeepest) {
+    refuse("{}: not a valid file: its JSON is nested deeper than {} levels", path, kDeepest);
+  }
   try {
     nlohmann::json json = nlohmann::json::parse(text);
-    if (!json.is_object()) wording::fail(wording::kJson, path, 1, "it must be an object, {...}");
+    if (!json.is_object()) refuse(kJson, path, 1, "it must be an object, {...}");
     return json;
   } catch (const nlohmann::json::exception& error) {
     const auto* parse_error = dynamic_cast<const nlohmann::json::parse_error*>(&error);
     const std::size_t byte = parse_error == nullptr ? 0 : std::min(parse_error->byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
-    wording::fail(wording::kJson, path, line, what_is_wrong(error.what()));
+    refuse(kJson, path, line, what_is_wrong(error.what()));
   }
 }
 
@@ -67,20 +71,20 @@ JsonReader JsonReader::from_file(const std::string& path) {
 void JsonReader::only(std::initializer_list<const char*> keys) const {
   for (const auto& [key, value] : json_.items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      wording::fail(wording::kKeyUnknown, file_, where_, key,
-                    fmt::format("{}", fmt::join(keys, ", ")));
+      refuse("there is no key '{}' here; the keys are {}", key,
+             fmt::format("{}", fmt::join(keys, ", ")));
     }
   }
 }
 
 const nlohmann::json& JsonReader::at(const std::string& key) const {
   const auto found = json_.find(key);
-  if (found == json_.end()) wording::fail(wording::kKeyMissing, file_, where_, key);
+  if (found == json_.end()) refuse("the key '{}' is missing", key);
   return *found;
 }
 
 void JsonReader::wrong_type(const std::string& key, const std::string& right) const {
-  wording::fail(wording::kKeyType, file_, where_, key, right);
+  refuse("'{}' must be {}", key, right);
 }
 
 std::string JsonReader::below(const std::string& key) const {

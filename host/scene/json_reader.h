@@ -12,7 +12,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "host/error.h"
 
 namespace dynrt::host {
 
@@ -46,6 +49,12 @@ class JsonReader {
   std::string text(const std::string& key, const std::string& otherwise) const;
   double number(const std::string& key, double otherwise) const;
   glm::dvec3 vector(const std::string& key, const glm::dvec3& otherwise) const;
+
+  /// Throws UserError with the place of this object.
+  template <class... Args>
+  [[noreturn]] void refuse(fmt::format_string<Args...> message, Args&&... args) const {
+    host::refuse("{}: {}: {}", file_, where_, fmt::format(message, std::forward<Args>(args)...));
+  }
 
   const std::string& file() const { return file_; }
   const std::string& where() const { return where_; }

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "host/error.h"
 #include "host/program_part.h"
 #include "host/scene/check_file.h"
 #include "host/scene/description.h"
 #include "host/scene/import.h"
 #include "host/scene/map.h"
-#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 
@@ -52,11 +52,12 @@ Scene load_scene(const std::string& name_or_path) {
   }
   std::error_code unreachable;
   if (!fs::exists(name_or_path, unreachable)) {
-    wording::fail(wording::kUnknownScene, name_or_path, fmt::format("{}", fmt::join(names, ", ")));
+    refuse("there is no scene '{}': give a built-in name ({}) or the path of a file", name_or_path,
+           fmt::format("{}", fmt::join(names, ", ")));
   }
   if (fs::is_directory(name_or_path, unreachable)) {
-    wording::fail(wording::kSceneFolder, name_or_path,
-                  (fs::path(name_or_path) / "model.obj").string());
+    refuse("{}: this is a folder, but a scene is a file; give the path of a file in it, such as {}",
+           name_or_path, (fs::path(name_or_path) / "model.obj").string());
   }
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".json") return load_description(name_or_path);

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "host/error.h"
 #include "host/scene/bsp.h"
 #include "host/scene/camera.h"
 #include "host/scene/mesh_builder.h"
@@ -65,7 +66,7 @@ class MapScene {
     scene_.dropped.zero_area_triangles = builder_.zero_area_triangles();
     Mesh mesh = builder_.take();
     if (mesh.triangles.empty()) {
-      wording::fail(wording::kNoTriangles, label_, scene_.dropped.zero_area_triangles, 0);
+      refuse(messages::kNoTriangles, label_, scene_.dropped.zero_area_triangles, 0);
     }
     scene_.objects.push_back(std::move(mesh));
     scene_.instances.push_back({scene_.name, 0, glm::dmat4(1.0)});
@@ -87,8 +88,10 @@ class MapScene {
       const auto number = to_integer(std::string_view(model->second).substr(1));
       const auto offset = numbers(origin->second);
       if (!number || *number < 0 || *number >= std::ssize(offset_of_) || !offset) {
-        wording::fail(wording::kBspEntity, label_, model->second, origin->second,
-                      map_.models.size());
+        refuse(
+            "{}: an entity places the model '{}' at '{}'; the model must be one of the map's {}, "
+            "written as '*' and its number, and the place must be three numbers",
+            label_, model->second, origin->second, map_.models.size());
       }
       offset_of_[static_cast<std::size_t>(*number)] = *offset;
     }
@@ -266,14 +269,15 @@ Scene load_from(const ZipLibrary& library, const std::string& pk3, std::string n
                 const MapOptions& options) {
   const std::vector<std::string> names = map_names(library);
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
-  if (names.empty()) wording::fail(wording::kNoMaps, pk3);
+  if (names.empty()) refuse("{}: the file holds no map (maps/NAME.bsp)", pk3);
   if (name.empty() && names.size() > 1) {
-    wording::fail(wording::kWhichMap, pk3, names.size(), pk3, names[0], list);
+    refuse("{}: the file holds {} maps; name one of them, such as {}:{} (the maps are {})", pk3,
+           names.size(), pk3, names[0], list);
   }
   if (name.empty()) name = names[0];
   const std::string file = kFolder + name + kSuffix;
   const auto bytes = library.read(file);
-  if (!bytes) wording::fail(wording::kNoMap, pk3, name, list);
+  if (!bytes) refuse("{}: the file has no map '{}'; its maps are {}", pk3, name, list);
   return map_scene(*bytes, pk3 + ":" + file, options);
 }
 
@@ -290,7 +294,12 @@ Scene load_map(const std::string& pk3, const std::string& name, const MapOptions
 
 Scene load_package_map(const std::string& name, const MapOptions& options, const std::string& pk3) {
   std::error_code unreachable;
-  if (!std::filesystem::exists(pk3, unreachable)) wording::fail(wording::kNoMapPackage, pk3);
+  if (!std::filesystem::exists(pk3, unreachable)) {
+    refuse(
+        "the map of this scene comes from the Debian package openarena-081-maps, which is not "
+        "installed ({} is missing); install it with: apt-get install openarena-081-maps",
+        pk3);
+  }
   return load_from(ZipLibrary(pk3, "reinstall the package openarena-081-maps"), pk3, name, options);
 }
 

@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "host/scene/scene_messages.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 
@@ -19,18 +19,16 @@ constexpr glm::dvec3 kUp{0.0, 1.0, 0.0};
 constexpr double kLargestStep = 60.0;   // degrees between two keys, well below half a turn
 constexpr double kLargestTurn = 36000;  // degrees between two keys of the file
 
-[[noreturn]] void fail(const JsonReader& at, const std::string& sentence) {
-  wording::fail(wording::kDescription, at.file(), at.where(), sentence);
-}
-
 // Reads "time" of each key; they rise from at least 0.
 std::vector<JsonReader> keys_of(const JsonReader& at, const char* name) {
   std::vector<JsonReader> keys = at.objects(name);
-  if (keys.empty()) fail(at, fmt::format(wording::kNoKeys, name));
+  if (keys.empty()) at.refuse("'{}' has no keys; it needs at least one", name);
   double before = -1.0;
   for (const JsonReader& key : keys) {
     const double time = key.number("time");
-    if (!(time >= 0.0 && time > before)) fail(key, wording::kKeyTime);
+    if (!(time >= 0.0 && time > before)) {
+      key.refuse("'time' must be at least 0 and above the time of the previous key");
+    }
     before = time;
   }
   return keys;
@@ -46,7 +44,9 @@ glm::dquat turned(const glm::dquat& tilt, double turn) {
 void add_turn(MotionNode& node, const JsonReader& key, const Placement& before,
               const Placement& after, double time_before, double time) {
   const double turn = after.turn - before.turn;
-  if (!(std::abs(turn) <= kLargestTurn)) fail(key, fmt::format(wording::kKeyTurn, kLargestTurn));
+  if (!(std::abs(turn) <= kLargestTurn)) {
+    key.refuse("'turn' may change by at most {} degrees from the previous key", kLargestTurn);
+  }
   const int steps = static_cast<int>(std::abs(turn) / kLargestStep) + 1;
   for (int step = 1; step <= steps; ++step) {
     const double part = static_cast<double>(step) / steps;
@@ -74,7 +74,7 @@ Placement read_placement(const JsonReader& at, const Placement& otherwise) {
     const JsonReader rotate = at.object("rotate");
     rotate.only({"axis", "degrees"});
     const glm::dvec3 axis = rotate.vector("axis");
-    if (!(glm::length(axis) > 0.0)) fail(rotate, wording::kAxis);
+    if (!(glm::length(axis) > 0.0)) rotate.refuse("'axis' must not be zero");
     placement.axis = glm::normalize(axis);
     placement.degrees = rotate.number("degrees");
   }
@@ -91,7 +91,9 @@ MotionNode read_motion(const JsonReader& motion, const Placement& start) {
     const double time = key.number("time");
     const Placement placement = read_placement(key, before);
     if (!glm::all(glm::greaterThan(placement.scale * start.scale, glm::dvec3(0.0)))) {
-      fail(key, wording::kKeyScale);
+      key.refuse(
+          "'scale' must not be zero, and on each axis it must have the sign of the instance's "
+          "scale");
     }
     if (node.position.empty()) {
       node.rotation.push_back({time, turned(tilt(placement), placement.turn)});
@@ -104,7 +106,8 @@ MotionNode read_motion(const JsonReader& motion, const Placement& start) {
     time_before = time;
   }
   node.repeats = motion.flag("repeat", false);
-  if (node.repeats && !(time_before > 0.0)) fail(motion, wording::kRepeat);
+  if (node.repeats && !(time_before > 0.0))
+    motion.refuse("'repeat' needs a key later than at time 0");
   return node;
 }
 

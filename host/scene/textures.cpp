@@ -21,7 +21,6 @@
 
 #include "host/picture/image_library.h"
 #include "host/picture/srgb.h"
-#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
 
 namespace dynrt::host {
@@ -76,12 +75,15 @@ class MeanColours {
   void note(const std::string& label, Scene& scene) const {
     if (read_.empty()) return;
     scene.notes.push_back(
-        fmt::format(wording::kTextures, label, read_.size(), read_.size() == 1 ? "" : "s"));
+        fmt::format("{}: the file has {} base colour texture{}; each material gets the mean colour "
+                    "of its texture",
+                    label, read_.size(), read_.size() == 1 ? "" : "s"));
     if (unread_.empty()) return;
     const std::span<const std::string> named(unread_.data(), std::min(kNamed, unread_.size()));
-    scene.notes.push_back(fmt::format(wording::kTexturesUnread, label, unread_.size(),
-                                      fmt::join(named, ", "),
-                                      unread_.size() > kNamed ? ", ..." : ""));
+    scene.notes.push_back(fmt::format(
+        "{}: {} of its textures cannot be read, so their materials keep the colours of the file: "
+        "{}{}",
+        label, unread_.size(), fmt::join(named, ", "), unread_.size() > kNamed ? ", ..." : ""));
   }
 
  private:

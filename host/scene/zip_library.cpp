@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "host/error.h"
 #include "host/scene/memory_files.h"
 #include "host/scene/scene_messages.h"
 
@@ -29,7 +30,7 @@ ZipLibrary::ZipLibrary(const std::string& path, std::string remedy)
   zip_error_init_with_code(&error, code);
   const std::string reason = zip_error_strerror(&error);
   zip_error_fini(&error);
-  wording::fail(wording::kBadLibrary, path, reason, remedy_);
+  refuse(messages::kBadLibrary, path, reason, remedy_);
 }
 
 std::vector<std::string> ZipLibrary::names() const {
@@ -45,15 +46,14 @@ std::vector<std::string> ZipLibrary::names() const {
 std::optional<std::string> ZipLibrary::read(const std::string& name) const {
   zip_stat_t stat;
   if (zip_stat(archive_.get(), normal(name).c_str(), 0, &stat) != 0) return std::nullopt;
-  if (stat.size > kLargest)
-    wording::fail(wording::kBadLibrary, path_, name + " is too large", remedy_);
+  if (stat.size > kLargest) refuse(messages::kBadLibrary, path_, name + " is too large", remedy_);
   const auto close = [](zip_file_t* file) { zip_fclose(file); };
   const std::unique_ptr<zip_file_t, decltype(close)> file(
       zip_fopen_index(archive_.get(), stat.index, 0), close);
   std::string text(stat.size, '\0');
   if (!file ||
       zip_fread(file.get(), text.data(), stat.size) != static_cast<zip_int64_t>(stat.size)) {
-    wording::fail(wording::kBadLibrary, path_, name + " cannot be unpacked", remedy_);
+    refuse(messages::kBadLibrary, path_, name + " cannot be unpacked", remedy_);
   }
   return text;
 }

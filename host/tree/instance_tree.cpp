@@ -9,7 +9,6 @@
 
 #include "host/error.h"
 #include "host/tree/grid.h"
-#include "host/tree/tree_messages.h"
 
 namespace dynrt::host {
 
@@ -53,7 +52,9 @@ void add_main_leaf(Tree& tree, std::uint32_t item) {
 
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
                          const BoxTreeOptions& options) {
-  if (scene.instances.empty()) refuse(messages::kNoInstances, scene.name);
+  if (scene.instances.empty()) {
+    refuse("scene '{}' has no instances; a scene must have at least one", scene.name);
+  }
   const double limit = options.grid.largest() / 2;
   std::vector<Aabb> boxes(scene.instances.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -62,8 +63,10 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
     for (int axis = 0; axis < 3; ++axis) {
       for (const double x : {box.low[axis], box.high[axis]}) {
         if (!(std::abs(x) <= limit)) {
-          refuse(messages::kInstanceBox, instance.name, static_cast<char>('x' + axis), x, limit,
-                 limit);
+          refuse(
+              "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates "
+              "must lie within -{:.5g} and {:.5g}",
+              instance.name, static_cast<char>('x' + axis), x, limit, limit);
         }
       }
     }

@@ -11,8 +11,6 @@
 #include <span>
 #include <utility>
 
-#include "host/tree/tree_messages.h"
-
 namespace dynrt::host {
 
 namespace {
@@ -109,8 +107,11 @@ class ObjectTrees {
     std::vector<std::string> notes;
     for (std::size_t k = 0; k < trees_.size(); ++k) {
       if (!trees_[k].cut) continue;
-      notes.push_back(fmt::format(messages::kCut, scene_.objects[k].name, trees_[k].stats.depth,
-                                  limits.nodes, limits.items, cost_of_cut(k)));
+      notes.push_back(fmt::format(
+          "object '{}': its tree has only depth {}, to fit the board's {} tree nodes and {} list "
+          "entries; {}; the whole tree fits if the triangles are fewer or smaller",
+          scene_.objects[k].name, trees_[k].stats.depth, limits.nodes, limits.items,
+          cost_of_cut(k)));
     }
     return notes;
   }
@@ -164,9 +165,12 @@ class ObjectTrees {
     const TreeStats& now = trees_[object].stats;
     const Whole& whole = whole_[object];
     if (whole.size.items == kTooLarge.items) {
-      return fmt::format(messages::kCutTriangles, now.expected_steps, now.expected_items);
+      return fmt::format("a ray across the object probably meets {:.0f} nodes and {:.0f} triangles",
+                         now.expected_steps, now.expected_items);
     }
-    return fmt::format(messages::kCutWork, work(now) / work(whole.stats));
+    return fmt::format(
+        "a ray across the object probably makes {:.1f} times the work of the whole tree",
+        work(now) / work(whole.stats));
   }
 
   static constexpr TreeSize kTooLarge{std::numeric_limits<std::size_t>::max(),

@@ -8,7 +8,6 @@
 #include "host/error.h"
 #include "host/tree/clip.h"
 #include "host/tree/sample_rays.h"
-#include "host/tree/tree_messages.h"
 
 namespace dynrt::host {
 
@@ -50,8 +49,10 @@ void check(const Grid& grid, const Mesh& object, std::size_t primitive, const Aa
     for (const glm::dvec3& corner : {box.low, box.high}) {
       for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(corner[axis]) <= limit)) {
-          refuse(messages::kPrimitiveBox, object.name, primitive, static_cast<char>('x' + axis),
-                 corner[axis], limit, limit);
+          refuse(
+              "object '{}', primitive {}: its box reaches {} = {:g}, outside the core's numbers; "
+              "coordinates must lie within -{:.5g} and {:.5g}",
+              object.name, primitive, static_cast<char>('x' + axis), corner[axis], limit, limit);
         }
       }
     }
@@ -62,8 +63,10 @@ void check(const Grid& grid, const Mesh& object, std::size_t primitive, const Aa
     for (int axis = 0; axis < 3; ++axis) {
       const double x = c[vertex][axis];
       if (!(std::abs(x) <= limit)) {
-        refuse(messages::kCoordinate, object.name, primitive, vertex, static_cast<char>('x' + axis),
-               x, limit, limit);
+        refuse(
+            "object '{}', triangle {}, vertex {}: {} = {:g} is outside the core's numbers; "
+            "coordinates must lie within -{:.5g} and {:.5g}",
+            object.name, primitive, vertex, static_cast<char>('x' + axis), x, limit, limit);
       }
     }
   }
@@ -72,7 +75,9 @@ void check(const Grid& grid, const Mesh& object, std::size_t primitive, const Aa
 }  // namespace
 
 Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
-  if (object.primitives() == 0) refuse(messages::kNoTriangles, object.name);
+  if (object.primitives() == 0) {
+    refuse("object '{}' has no triangles; an object must have at least one", object.name);
+  }
   const Grid& grid = options.grid;
   std::vector<ItemRef> items(object.primitives());
   Aabb whole;

@@ -19,7 +19,6 @@
 #include "host/board/registers.h"
 #include "host/error.h"
 #include "host/link/serial_device.h"
-#include "host/ulx3s/ulx3s_messages.h"
 
 namespace dynrt::host {
 
@@ -57,7 +56,10 @@ const LinkedCore& linked_core(const BoardLink& link, const std::string& board,
   const auto found = std::ranges::find(kLinkedCores, held, &LinkedCore::configuration);
   if (found == std::end(kLinkedCores)) {
     const auto known = std::views::transform(kLinkedCores, &LinkedCore::configuration);
-    refuse(messages::kUnknownBitstream, board, held, fmt::format("{}", fmt::join(known, " or ")));
+    refuse(
+        "board {}: its bitstream has configuration {}, which this program does not know at a "
+        "serial line; load a bitstream that has {}",
+        board, held, fmt::format("{}", fmt::join(known, " or ")));
   }
   return *found;
 }
@@ -118,16 +120,24 @@ void BoardAtLink::read_display(std::span<std::uint32_t> pixels) {
   // The frame under way may have begun before the picture was complete.
   std::vector<DisplayFrame> frames;
   for (unsigned step = 0; frames.size() < 2; ++step) {
-    if (step == kMostDisplaySteps) refuse(messages::kNoPicture);
+    if (step == kMostDisplaySteps) {
+      refuse(
+          "the monitor at the DVI pins of the simulated ULX3S has seen no frame within 100 "
+          "milliseconds");
+    }
     if (progress) progress(std::min(step, kDisplaySteps));
     simulated_->run(kDisplayStep);
     std::ranges::move(simulated_->take_frames(), std::back_inserter(frames));
   }
   const DisplayFrame& frame = frames.back();
-  if (!frame.fault.empty()) refuse(messages::kBadPicture, frame.fault);
+  if (!frame.fault.empty()) {
+    refuse("the monitor at the DVI pins of the simulated ULX3S cannot show the signal: {}",
+           frame.fault);
+  }
   if (frame.mode != *mode_) {
-    refuse(messages::kOtherMode, frame.mode.hdisplay, frame.mode.vdisplay, mode_->hdisplay,
-           mode_->vdisplay);
+    refuse(
+        "the monitor at the DVI pins of the simulated ULX3S sees a mode of {}x{} pixels, not {}x{}",
+        frame.mode.hdisplay, frame.mode.vdisplay, mode_->hdisplay, mode_->vdisplay);
   }
   const std::size_t width = shown_.width.to_u64();
   const std::size_t height = shown_.height.to_u64();

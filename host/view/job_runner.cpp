@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/view/view_messages.h"
 
 namespace dynrt::host {
 
@@ -15,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 unsigned JobRunner::start(const std::string& name, Job job) {
   const std::lock_guard lock(mutex_);
-  if (state_ == "running") refuse(messages::kJobRunning, name_);
+  if (state_ == "running") refuse("{} is under way; wait until it is done", name_);
   name_ = name;
   state_ = "running";
   progress_ = error_ = "";

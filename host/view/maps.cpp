@@ -13,7 +13,6 @@
 #include <string_view>
 
 #include "host/error.h"
-#include "host/view/view_messages.h"
 
 namespace dynrt::host {
 
@@ -115,7 +114,11 @@ std::vector<std::uint32_t> normals(const LoadedScene& loaded, const FullPicture&
 }
 
 std::vector<std::uint32_t> verdicts(const FullPicture& picture, Json& head) {
-  if (!picture.truth) refuse(messages::kNoTruth);
+  if (!picture.truth) {
+    refuse(
+        "true hits need CGAL and Embree, and this program was built without them; run scripts/test "
+        "--build-only");
+  }
   std::vector<std::optional<PrimitiveId>> primitives;
   for (std::size_t i = 0; i < picture.frame.pixels.size(); ++i) {
     primitives.push_back(picture.primitive_at(i));
@@ -140,9 +143,9 @@ Answer map_of(const LoadedScene& loaded, const FullPicture& picture, const std::
   const auto found =
       std::ranges::find(kMaps, name, [](const auto& map) { return std::string_view(map.name); });
   if (found == kMaps.end()) {
-    throw NotOurs(fmt::format(messages::kNotOurMessage, "there is no such map"));
+    throw NotOurs("there is no such map");
   }
-  if (found->watched && !picture.watch) refuse(messages::kNotWatched);
+  if (found->watched && !picture.watch) refuse("the frame was not watched yet");
   Answer answer{.head = {{"name", name}, {"kind", found->kind}, {"number", picture.number}}};
   const std::map<std::string, ValueOf> of = {{"nodes", work(picture, &PacketWork::nodes)},
                                              {"lists", work(picture, &PacketWork::lists)},
@@ -152,8 +155,12 @@ Answer map_of(const LoadedScene& loaded, const FullPicture& picture, const std::
                                              {"clocks", clocks(picture)},
                                              {"distance", distance(loaded, picture)},
                                              {"cosine", cosine(loaded, picture)}};
-  if (name == "clocks" && !picture.watched->run.cycles)
-    refuse(messages::kNoClocks, picture.frame.core.name);
+  if (name == "clocks" && !picture.watched->run.cycles) {
+    refuse(
+        "the clocks of configuration {} are not known, as it has no schedules; take a "
+        "configuration whose Verilog was built",
+        picture.frame.core.name);
+  }
   if (name == "wrong") {
     answer.words = verdicts(picture, answer.head);
   } else if (name == "normals") {

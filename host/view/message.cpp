@@ -6,25 +6,19 @@
 #include <cmath>
 #include <cstring>
 
-#include "host/view/view_messages.h"
-
 namespace dynrt::host {
 
 namespace {
 
-[[noreturn]] void not_ours(const std::string& reason) {
-  throw NotOurs(fmt::format(messages::kNotOurMessage, reason));
-}
-
 const Json& field_of(const Json& question, const char* field) {
   const auto found = question.find(field);
-  if (found == question.end()) not_ours(fmt::format("it has no \"{}\"", field));
+  if (found == question.end()) throw NotOurs(fmt::format("it has no \"{}\"", field));
   return *found;
 }
 
 double number_in(const Json& value, const char* field) {
   if (!value.is_number() || !std::isfinite(value.get<double>())) {
-    not_ours(fmt::format("\"{}\" is no number", field));
+    throw NotOurs(fmt::format("\"{}\" is no number", field));
   }
   return value.get<double>();
 }
@@ -32,17 +26,19 @@ double number_in(const Json& value, const char* field) {
 glm::dvec3 vector_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
   if (!value.is_array() || value.size() != 3) {
-    not_ours(fmt::format("\"{}\" is not three numbers", field));
+    throw NotOurs(fmt::format("\"{}\" is not three numbers", field));
   }
   return {number_in(value[0], field), number_in(value[1], field), number_in(value[2], field)};
 }
 
 std::vector<std::string> texts_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
-  if (!value.is_array()) not_ours(fmt::format("\"{}\" is no list", field));
+  if (!value.is_array()) throw NotOurs(fmt::format("\"{}\" is no list", field));
   std::vector<std::string> texts;
   for (const Json& text : value) {
-    if (!text.is_string()) not_ours(fmt::format("\"{}\" holds something else than text", field));
+    if (!text.is_string()) {
+      throw NotOurs(fmt::format("\"{}\" holds something else than text", field));
+    }
     texts.push_back(text.get<std::string>());
   }
   return texts;
@@ -75,7 +71,7 @@ std::string Answer::bytes() const {
 
 Json question_of(const std::string& text) {
   Json question = Json::parse(text, nullptr, false);
-  if (!question.is_object()) not_ours("it is no JSON object");
+  if (!question.is_object()) throw NotOurs("it is no JSON object");
   text_of(question, "type");
   return question;
 }
@@ -86,7 +82,7 @@ double number_of(const Json& question, const char* field) {
 
 std::string text_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
-  if (!value.is_string()) not_ours(fmt::format("\"{}\" is no text", field));
+  if (!value.is_string()) throw NotOurs(fmt::format("\"{}\" is no text", field));
   return value.get<std::string>();
 }
 
@@ -94,7 +90,7 @@ unsigned count_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
   constexpr std::int64_t kMost = 1 << 30;
   if (!value.is_number_integer() || value < 0 || value.get<std::uint64_t>() > kMost) {
-    not_ours(fmt::format("\"{}\" is no count", field));
+    throw NotOurs(fmt::format("\"{}\" is no count", field));
   }
   return value.get<unsigned>();
 }
@@ -108,7 +104,9 @@ PictureRequest picture_request_of(const Json& question) {
   request.from.time = number_of(question, "time");
   request.width = count_of(question, "width");
   request.height = count_of(question, "height");
-  if (!field_of(question, "moving").is_boolean()) not_ours("\"moving\" is neither true nor false");
+  if (!field_of(question, "moving").is_boolean()) {
+    throw NotOurs("\"moving\" is neither true nor false");
+  }
   request.moving = question["moving"].get<bool>();
   check_size(request.width, request.height);
   return request;

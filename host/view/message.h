@@ -20,7 +20,8 @@ using Json = nlohmann::ordered_json;
 
 /// A question that no page of ours asks.
 struct NotOurs : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit NotOurs(const std::string& reason)
+      : runtime_error("this is no message of the window: " + reason) {}
 };
 
 struct Answer {

@@ -8,11 +8,12 @@
 
 #include "host/error.h"
 #include "host/program_part.h"
-#include "host/view/view_messages.h"
 
 namespace dynrt::host {
 
 namespace {
+
+constexpr char kNoPageFile[] = "{}: the page of the window needs this file; {}";
 
 namespace fs = std::filesystem;
 
@@ -20,7 +21,7 @@ constexpr char kLibrary[] = "/usr/share/nodejs/d3/dist/d3.min.js";  // Debian's 
 
 std::string text_of(const fs::path& path, const char* advice) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(messages::kNoPageFile, path.string(), std::string(advice));
+  if (!file) refuse(kNoPageFile, path.string(), std::string(advice));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -45,7 +46,7 @@ std::map<std::string, PageFile> page_files() {
     files["/" + path.filename().string()] = {type_of(path), text_of(path, kAdvice)};
   }
   if (!files.contains("/index.html")) {
-    refuse(messages::kNoPageFile, (folder / "index.html").string(), std::string(kAdvice));
+    refuse(kNoPageFile, (folder / "index.html").string(), std::string(kAdvice));
   }
   files["/"] = files["/index.html"];
   files["/d3.js"] = {type_of(kLibrary), text_of(kLibrary, "install Debian's package node-d3")};

@@ -17,14 +17,12 @@
 #include "host/render/hit_json.h"
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
-#include "host/view/view_messages.h"
 #include "host/view/way.h"
 
 namespace dynrt::host {
 
 namespace {
 
-constexpr char kImport[] = "from \"./";
 constexpr char kNamed[] = "from \"view/";  ///< as the map of imports has it
 
 std::string base64(std::string_view bytes) {
@@ -130,14 +128,17 @@ std::string imports(const std::map<std::string, PageFile>& files) {
   for (const auto& [path, file] : files) {
     if (!path.ends_with(".js") || path == "/d3.js" || path == "/recorded.js") continue;
     std::string text = (path == "/ask.js" ? files.at("/recorded.js") : file).text;
-    replace_all(text, kImport, kNamed);
+    replace_all(text, "from \"./", kNamed);
     map["view" + path] = "data:text/javascript;base64," + base64(text);
   }
   return Json{{"imports", map}}.dump();
 }
 
 [[noreturn]] void refuse_size(unsigned width, unsigned height) {
-  refuse(messages::kRecordedSize, width, height, kMostRecordedBytes / 1'000'000);
+  refuse(
+      "the recorded frame of {}x{} pixels would take more than {} MB, the most that a file may "
+      "have; record a smaller picture",
+      width, height, kMostRecordedBytes / 1'000'000);
 }
 
 }  // namespace

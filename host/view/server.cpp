@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/view/view_messages.h"
 
 namespace dynrt::host {
 
@@ -66,7 +65,7 @@ struct ViewServer::State {
   void give_answer(const httplib::Request& request, httplib::Response& response) const {
     try {
       if (request.get_header_value("Content-Type") != "application/json") {
-        throw NotOurs(fmt::format(messages::kNotOurMessage, "its content is not JSON"));
+        throw NotOurs("its content is not JSON");
       }
       const std::string bytes = answer(question_of(request.body)).bytes();
       response.set_content(bytes, "application/octet-stream");
@@ -111,7 +110,10 @@ ViewServer::ViewServer(std::map<std::string, PageFile> files, unsigned port,
   for (unsigned next = port; next < port + kPorts && next <= 65535 && state.port == 0; ++next) {
     if (http.bind_to_port(kLoopback, static_cast<int>(next))) state.port = next;
   }
-  if (state.port == 0) refuse(messages::kPortsInUse, port, port + kPorts - 1);
+  if (state.port == 0) {
+    refuse("the ports {} to {} of this computer are all in use; name another port", port,
+           port + kPorts - 1);
+  }
   state.listener = std::thread([&http] { http.listen_after_bind(); });
   while (!http.is_running()) std::this_thread::yield();
 }

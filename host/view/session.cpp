@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "host/error.h"
 #include "host/format/configuration_json.h"
 #include "host/render/compare.h"
 #include "host/render/hit_json.h"
@@ -17,7 +18,6 @@
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
 #include "host/view/recording.h"
-#include "host/view/view_messages.h"
 
 namespace dynrt::host {
 
@@ -76,7 +76,7 @@ Answer Session::answer(const Json& question) {
   if (type == "map") return map(question);
   if (type == "csv") return csv(question);
   if (type == "path") return on_path(question);
-  throw NotOurs(fmt::format(messages::kNotOurMessage, "its type is unknown"));
+  throw NotOurs("its type is unknown");
 }
 
 Session::Setup& Session::setup() {
@@ -174,7 +174,7 @@ void Session::keep_picture(const PictureRequest& request, const Frame& frame) {
 
 FullPicture& Session::picture() {
   // Coarse pictures of another moment may have moved the scene since.
-  if (!setup().picture) refuse(messages::kNoPicture);
+  if (!setup().picture) refuse("the window has no full picture yet");
   setup_->loaded.move(setup_->picture->request.from.time);
   return *setup_->picture;
 }
@@ -190,7 +190,11 @@ void Session::find_truth() {
 
 FullPicture& Session::picture(const Json& question) {
   FullPicture& now = picture();
-  if (count_of(question, "number") != now.number) refuse(messages::kOtherPicture);
+  if (count_of(question, "number") != now.number) {
+    refuse(
+        "another page of this window has drawn another picture since; walk a step to draw this one "
+        "again");
+  }
   return now;
 }
 
@@ -244,7 +248,8 @@ Answer Session::pixel(const Json& question) {
   const unsigned x = count_of(question, "x"), y = count_of(question, "y");
   const FullPicture& now = picture(question);
   if (x >= now.request.width || y >= now.request.height) {
-    refuse(messages::kNoPixel, x, y, now.request.width, now.request.height);
+    refuse("there is no pixel {}, {} in a picture of {}x{}", x, y, now.request.width,
+           now.request.height);
   }
   find_truth();
   return {.head = pixel_json(setup_->loaded, now, x, y)};

@@ -170,14 +170,14 @@ TEST(HostLink, GivesUpOnABoardThatTalksNonsense) {
   hls::testing::Random random(1);
   const auto [said, seconds] = refusal(
       [&](std::span<const std::uint8_t>) { return random_bytes(random.below(3), random.next()); });
-  EXPECT_THAT(said, HasSubstr("bytes came, but no answer of dynrt among them"));
+  EXPECT_THAT(said, HasSubstr("bytes, but no answer of dynrt"));
   EXPECT_LT(seconds, 3);
 }
 
 TEST(HostLink, GivesUpOnABoardThatEchoes) {
   const auto [said, seconds] = refusal(
       [](std::span<const std::uint8_t> bytes) { return Bytes(bytes.begin(), bytes.end()); });
-  EXPECT_THAT(said, HasSubstr("no answer of dynrt among them"));
+  EXPECT_THAT(said, HasSubstr("but no answer of dynrt"));
   EXPECT_LT(seconds, 3);
 }
 
@@ -194,12 +194,12 @@ TEST(HostLink, GivesUpOnABoardThatStops) {
       return answer;
     });
     EXPECT_LT(seconds, 5) << bytes;
-    if (said.find("stops in the middle of an answer") != std::string::npos) {
+    if (said.find("stopped in the middle of an answer") != std::string::npos) {
       EXPECT_THAT(said, HasSubstr("of 20 requests, although each was repeated 8 times"));
       ++in_frame;
     } else {
-      EXPECT_THAT(said, testing::AnyOf(HasSubstr("it answers no more after"),
-                                       HasSubstr("no answer of dynrt among them")));
+      EXPECT_THAT(said, testing::AnyOf(HasSubstr("it stopped answering after"),
+                                       HasSubstr("but no answer of dynrt")));
     }
   }
   EXPECT_GT(in_frame, 20u);
@@ -219,7 +219,7 @@ TEST(HostLink, GivesUpOnABoardThatMissesEverything) {
     append_framed(misses, {kLinkExpected, 0, 0, 0});
     return misses;
   });
-  EXPECT_THAT(said, HasSubstr("it answers no more after 0 of 20 requests"));
+  EXPECT_THAT(said, HasSubstr("it stopped answering after 0 of 20 requests"));
   EXPECT_LT(seconds, 5);
 }
 
@@ -235,7 +235,7 @@ TEST(HostLink, GivesUpOnABoardThatIsResetMeanwhile) {
       return answer;
     };
     const auto [said, seconds] = refusal(board, 240 * kLinkDataBytes);
-    EXPECT_THAT(said, HasSubstr("it answers no more after")) << requests;
+    EXPECT_THAT(said, HasSubstr("it stopped answering after")) << requests;
     EXPECT_LT(seconds, 5);
     EXPECT_EQ(after.model.writes(), 0u);
   }

@@ -90,7 +90,7 @@ TEST(PseudoTerminal, SaysThatNothingAnswers) {
 TEST(PseudoTerminal, SaysThatTheAnswersAreNonsense) {
   const BoardAtTerminal terminal(
       [](std::span<const std::uint8_t> bytes) { return Bytes(bytes.size(), 'x'); });
-  EXPECT_THAT(refusal(terminal.path()), HasSubstr("bytes came, but no answer of dynrt among them"));
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("bytes, but no answer of dynrt"));
   expect_released(terminal.path());
 }
 
@@ -103,7 +103,7 @@ TEST(PseudoTerminal, SaysThatTheBoardStopsInTheMiddleOfAFrame) {
     left -= answer.size();
     return answer;
   });
-  EXPECT_THAT(refusal(terminal.path()), HasSubstr("stops in the middle of an answer"));
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("stopped in the middle of an answer"));
   expect_released(terminal.path());
 }
 

@@ -124,7 +124,7 @@ TEST_F(Program, SaysThatNothingAnswers) {
 
 TEST_F(Program, SaysThatTheAnswersAreNonsense) {
   const BoardAtTerminal terminal([](auto bytes) { return Bytes(bytes.size(), 'x'); });
-  expect_refusal(terminal, "bytes came, but no answer of dynrt among them");
+  expect_refusal(terminal, "bytes, but no answer of dynrt");
 }
 
 TEST_F(Program, RefusesABitstreamOfAnotherConfiguration) {
@@ -147,11 +147,11 @@ TEST_F(Program, RefusesABitstreamOfAnotherConfigurationThanIsAskedFor) {
 
 TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
   expect_error(render_on("ulx3s") + " --config fast_port",
-               "board ulx3s can hold configuration fast_ulx3s, not fast_port; name what it "
-               "holds, or nothing");
+               "board ulx3s holds configuration fast_ulx3s, not fast_port; name the one that it "
+               "holds, or leave --config out");
   expect_error(render_on("ulx3s") + " --config fast",
-               "board ulx3s can hold configuration fast_ulx3s, not fast; name what it holds, or "
-               "nothing");
+               "board ulx3s holds configuration fast_ulx3s, not fast; name the one that it holds, "
+               "or leave --config out");
   expect_error(render_on("serial:any") + " --config thesis",
                "board serial:any can hold configuration fast_ulx3s or fast_port, not thesis; name "
                "what it holds, or nothing");
@@ -160,21 +160,22 @@ TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
 TEST_F(Program, RefusesToShowAPictureBesideThatOfTheBoard) {
   expect_error(
       render_on("ulx3s") + " --scan-out display.png",
-      "board ulx3s has a display of its own, which --scan-out cannot see; leave it out, or "
-      "take board rtl");
+      "board ulx3s has a display of its own, which --scan-out does not read; leave out --scan-out, "
+      "or take board rtl");
 }
 
 TEST_F(Program, HasNoUseForACoreMadeForTheScene) {
   for (const char* board : {"ulx3s", "serial:any"}) {
-    expect_error(render_on(board) + " --specialise",
-                 std::string("board ") + board +
-                     " has the core that its bitstream is made of, so --specialise has no use");
+    expect_error(
+        render_on(board) + " --specialise",
+        std::string("board ") + board +
+            " has the core of its bitstream and takes no other, so leave out --specialise");
   }
 }
 
 TEST_F(Program, SaysThatNoDeviceIsNamed) {
   expect_error(render_on("serial:"),
-               "board serial:: it names no device; write one behind the colon");
+               "board serial:: it names no device; write one after the colon");
 }
 
 TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAnAnswer) {
@@ -186,21 +187,20 @@ TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAnAnswer) {
     left -= answer.size();
     return answer;
   });
-  expect_refusal(terminal, "it stops in the middle of an answer");
+  expect_refusal(terminal, "it stopped in the middle of an answer");
 }
 
 TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAFrame) {
   IdleBoard board;
   const BoardAtTerminal terminal([&](auto bytes) { return board.answer(bytes); });
-  expect_refusal(terminal, "it answers no more after");
+  expect_refusal(terminal, "it stopped answering after");
   EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
 }
 
 TEST_F(Program, SaysThatTheBoardCountsNoClocks) {
   IdleBoard board;
   const BoardAtTerminal terminal([&](auto bytes) { return board.model.answer(bytes); });
-  expect_refusal(terminal,
-                 "its core has begun a frame and counts no clocks behind the 0 that it has");
+  expect_refusal(terminal, "its core stopped in the middle of a frame, after 0 clocks");
   EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
 }
 
@@ -216,7 +216,7 @@ TEST_F(Program, ResetsABoardThatAnotherProgramHasLeftBusy) {
     }
     return answer;
   });
-  expect_refusal(terminal, "it answers no more after");
+  expect_refusal(terminal, "it stopped answering after");
   EXPECT_TRUE(resets);
   EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
 }
@@ -231,7 +231,7 @@ TEST_F(Program, SaysThatTheBoardStaysBusyAfterAReset) {
 
 TEST_F(Program, HasNoUseForSchedulesWhereTheBoardHasClocks) {
   expect_error(render_on("serial:any") + " --schedule any",
-               "board serial:any has clocks of its own, so --schedule has no use");
+               "board serial:any counts its own clocks and takes no schedules");
 }
 
 /// The simulated board at a pseudo-terminal. Its time is in a file.

@@ -18,7 +18,6 @@
 #include "host/board/timed_top.h"
 #include "host/error.h"
 #include "host/ulx3s/simulated_ulx3s.h"
-#include "host/ulx3s/ulx3s_messages.h"
 #include "sdram/sdram_chip.h"
 #include "sdram/sdram_pin_timing.h"
 #include "ulx3s/serial_pins.h"
@@ -39,7 +38,11 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     run_ps(1'000'000);
     top_.button_ni = 1;
     while (!chip_.is_set_up()) {
-      if (run_.now() > kLongestSetUp) throw std::logic_error(messages::kChipNotSetUp);
+      if (run_.now() > kLongestSetUp) {
+        throw std::logic_error(
+            "the controller of the simulated ULX3S did not initialise its SDRAM within a "
+            "millisecond");
+      }
       run_ps(1'000'000);
     }
   }
@@ -110,8 +113,11 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     run_.run(
         time, [this](Ps now) { look(now); },
         [this](Ps next) { top_.sdram_dq_i = pins_.word_before(next); });
-    if (!pins_.fault().empty()) refuse(messages::kChipFault, pins_.fault());
-    if (!chip_.faults().empty()) refuse(messages::kChipFault, chip_.faults().front().text);
+    std::string fault = pins_.fault();
+    if (fault.empty() && !chip_.faults().empty()) fault = chip_.faults().front().text;
+    if (!fault.empty()) {
+      refuse("the simulated ULX3S breaks a rule of its SDRAM's data sheet: {}", fault);
+    }
   }
   void look(Ps now) {
     monitor_.sample(now, {top_.dvi_p_o, top_.dvi_n_o});

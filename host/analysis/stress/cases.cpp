@@ -8,7 +8,6 @@
 #include "host/analysis/stress/bounds.h"
 #include "host/analysis/stress/case.h"
 #include "host/analysis/stress/reasons.h"
-#include "host/analysis/stress/stress_messages.h"
 #include "host/error.h"
 
 namespace dynrt::host::stress {
@@ -84,7 +83,10 @@ std::vector<const Case*> find_cases(std::span<const std::string> names) {
     if (found.size() == before) {
       std::vector<std::string> known;
       for (const Case& c : cases()) known.push_back(c.full_name());
-      refuse(messages::kNoCase, name, fmt::format("{}", fmt::join(known, ", ")));
+      refuse(
+          "there is no stress case or group '{}'; give one of these, or the part before the slash: "
+          "{}",
+          name, fmt::format("{}", fmt::join(known, ", ")));
     }
   }
   if (names.empty()) {

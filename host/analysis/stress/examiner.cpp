@@ -9,7 +9,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "host/analysis/stress/stress_messages.h"
 #include "host/analysis/truth/measures.h"
 #include "host/error.h"
 #include "host/layout/lay_out.h"
@@ -49,7 +48,9 @@ Board& Boards::get(const std::string& configuration) {
   } catch (const UserError& error) {
     throw BoardError(error.what());
   }
-  if (!board) throw NoBoard(fmt::format(messages::kNotInTable, configuration));
+  if (!board) {
+    throw NoBoard(fmt::format("this build's table of configurations lacks '{}'", configuration));
+  }
   return *board;
 }
 

@@ -228,16 +228,22 @@ class Texts(unittest.TestCase):
     """What programs print."""
 
     def test_a_message_shows_where_values_stand(self) -> None:
-        table = 'inline constexpr char kA[] =\n    "{} takes {:.2f} ns, "\n    "{{not}} less";\n'
-        self.assertEqual(list(messages.wordings(table)), ["… takes … ns, {not} less"])
+        folder = new_folder(self)
+        table, source = folder / "a_messages.h", folder / "b.cpp"
+        table.write_text(
+            'inline constexpr char kA[] =\n    "{} takes {:.2f} ns, "\n    "{{not}} less";\n',
+            encoding="utf-8",
+        )
+        source.write_text(
+            'constexpr char kB[] = "{}: no file";\n'
+            'refuse(\n    "no {} "\n    "here", kB);\nrefuse(kB, path);\nrefuse(sentence);\n',
+            encoding="utf-8",
+        )
+        self.assertEqual(messages.wordings(table), ["… takes … ns, {not} less"])
+        self.assertEqual(messages.wordings(source), ["no … here", "…: no file"])
 
-    def test_every_constant_of_a_table_is_on_the_page(self) -> None:
-        for path in messages.tables():
-            with self.subTest(table=path.name):
-                table = path.read_text(encoding="utf-8")
-                self.assertEqual(
-                    len(list(messages.wordings(table))), table.count("inline constexpr")
-                )
+    def test_the_page_has_the_messages_of_the_program(self) -> None:
+        self.assertGreater(messages.page().count("\n- "), 200)
 
     def test_a_missing_build_is_named(self) -> None:
         with self.assertRaisesRegex(Exception, "commands.md:1: the page needs .*dynrt"):
