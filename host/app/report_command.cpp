@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants,
-// `hardware` with many packets and lines; the others count in software and open no board.
+// dynrt report: studies of a scene, one subcommand each. Experiments render with many cores; the
+// others count in software and open no board.
 #include <fmt/format.h>
 
 #include <memory>
@@ -64,6 +64,23 @@ constexpr Subcommand kSubcommands[] = {
      "the primitive that each ray hits, by exact decisions, and where Embree finds another one",
      truth_report}};
 
+/// The experiments of scripts/dynrt_tools/experiments/table.
+struct Experiment {
+  const char* name;
+  const char* about;
+};
+
+constexpr Experiment kExperiments[] = {
+    {"error", "error, time and area of other number formats and variants"},
+    {"hardware",
+     "the thesis's figures over packets, lines, bandwidth and pipelines, and its indices of "
+     "quality"},
+    {"scenes", "the thesis's four kinds of scene, beside its frame rates"},
+    {"memory", "a memory behind the port: latency, caches and pipelines"},
+    {"board", "a board whose memory is an SDRAM, beside banks of SRAM"},
+    {"board_caches", "which change to the caches lets that board render more"},
+    {"ideas", "what configurations bring that differ in one key"}};
+
 }  // namespace
 
 Command add_choose_command(CLI::App& program) {
@@ -92,16 +109,11 @@ Command add_report_command(CLI::App& program) {
       *chosen = [arguments, study] { return run(*arguments, study); };
     });
   }
-  const ScriptCommand error = add_script_command(
-      *command, "error", "error, time and area of other number formats and variants",
-      "report_error");
-  error.app->callback([chosen, error] { *chosen = error.run; });
-  const ScriptCommand hardware =
-      add_script_command(*command, "hardware",
-                         "use of units, cache hits, frame rate and quality of the hardware over "
-                         "packets, lines, bandwidth and pipelines",
-                         "report_hardware");
-  hardware.app->callback([chosen, hardware] { *chosen = hardware.run; });
+  for (const Experiment& one : kExperiments) {
+    const ScriptCommand experiment =
+        add_script_command(*command, one.name, one.about, "experiment", one.name);
+    experiment.app->callback([chosen, experiment] { *chosen = experiment.run; });
+  }
   return {command, [chosen] {
             if (!*chosen) {
               refuse(

@@ -15,11 +15,12 @@
 namespace dynrt::host {
 
 ScriptCommand add_script_command(CLI::App& parent, const std::string& name,
-                                 const std::string& about, const std::string& script) {
+                                 const std::string& about, const std::string& script,
+                                 const std::string& first) {
   CLI::App* app = parent.add_subcommand(name, about);
   app->set_help_flag();
   app->prefix_command();
-  return {app, [app, script]() -> int {
+  return {app, [app, script, first]() -> int {
             const ThisBuild build = this_build();
             const std::string path = std::string(build.scripts) + "/" + script;
             const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -30,6 +31,7 @@ ScriptCommand add_script_command(CLI::App& parent, const std::string& name,
                                               std::string(build.description),
                                               "--expect",
                                               std::string(build.fingerprint)};
+            if (!first.empty()) words.insert(words.begin() + 1, first);
             for (const std::string& word : app->remaining()) words.push_back(word);
             std::vector<char*> arguments;
             for (std::string& word : words) arguments.push_back(word.data());

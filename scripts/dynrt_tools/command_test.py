@@ -84,7 +84,7 @@ class Reports(testing.InFolder):
         text = (
             "#!/usr/bin/python3\nimport argparse, sys\n"
             f"sys.path.insert(0, '{project.SCRIPTS}')\n"
-            "from dynrt_tools.report.report import guarded\n"
+            "from dynrt_tools.experiments.command import guarded\n"
             "def stop(args):\n    raise KeyboardInterrupt\n"
             "sys.exit(guarded(stop, argparse.Namespace()))\n"
         )

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Frames of the native core with an SDRAM behind its port: the pixels are those of the emulated
-// memory, and nothing that the data sheet forbids is found. scripts/bench --board measures such
+// memory, and nothing that the data sheet forbids is found. dynrt report board measures such
 // frames.
 #include <gtest/gtest.h>
 

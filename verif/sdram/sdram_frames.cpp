@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Renders a frame of a native core with an SDRAM behind its port, and writes what the frame cost
-// and what waited for what as JSON. scripts/bench --board makes its tables of it.
+// and what waited for what as JSON. dynrt report board makes its tables of it.
 #include "sdram/sdram_frames.h"
 
 #include <fmt/format.h>

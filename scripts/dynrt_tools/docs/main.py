@@ -12,7 +12,7 @@ import http.server
 import pathlib
 
 from dynrt_tools import project
-from dynrt_tools.docs import ideas, links, made, record, site, times
+from dynrt_tools.docs import links, made, record, site, times
 
 PORT = 8000
 
@@ -30,23 +30,22 @@ def parse() -> argparse.Namespace:
         "--serve", action="store_true", help="build, then serve http://localhost:8000"
     )
     what.add_argument(
-        "--measure",
+        "--draw",
         action="store_true",
-        help="render the frames of docs/results/ideas.md, save their figures as its data, and renew "
-        "the pages; takes minutes",
+        help="draw the pictures of the pages of results from their data; Chromium does",
     )
     what.add_argument(
         "--record",
         metavar="PAGE",
         help="measure the data of a page of docs/results again with the commands of its last table, "
-        f"and renew the pages; takes minutes to hours; PAGE is one of {', '.join(record.pages())}",
+        "draw its pictures and renew the pages; takes minutes to hours; PAGE is one of "
+        f"{', '.join(record.pages())}",
     )
     parser.add_argument(
         "--build",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="also check or renew the page of the programs, with the programs of this build; for "
-        "--measure the build that renders (default: build/release)",
+        help="check or renew the page of the programs too, with those of this build",
     )
     what.add_argument(
         "--times",
@@ -89,11 +88,12 @@ def main() -> int:
             return check(args.build)
         if args.times:
             times.keep(args.times[0], pathlib.Path(args.times[1]))
-        if args.measure:
-            ideas.measure(args.build or project.ROOT / "build" / "release")
+        if args.draw:
+            record.draw()
+            return 0
         if args.record:
             record.record(args.record)
-        if args.renew or args.times or args.measure or args.record:
+        if args.renew or args.times or args.record:
             for path in made.renew(made_pages(args.build)) + made.renew_waves():
                 print(path.relative_to(project.ROOT))
             return 0

@@ -28,9 +28,7 @@ def pages() -> list[pathlib.Path]:
 def frames() -> list[tuple[str, int]]:
     """The configuration and the clocks of each frame whose data are kept."""
     data = results.Data(results.RESULTS / "data")
-    rows = [
-        (row["configuration"], row["clocks per frame"]) for row in data.load("scenes")["scenes"]
-    ]
+    rows = [(row["variant"], row["clocks"]) for row in data.load("scenes")["rows"]]
     alone = data.load("office_thesis")["frame"]
     return [*rows, (alone["configuration"], alone["cycles"])]
 

@@ -19,7 +19,6 @@ OWN = {
     "fit_ecp5": "scripts/fit-delays --record",
     "fit_ecp5_8": "scripts/fit-delays --record",
     "fit_ice40_hx": "scripts/fit-delays --record",
-    "ideas": "scripts/docs --measure",
     "build": "scripts/docs --times",
 }
 
@@ -60,7 +59,7 @@ class Commands(unittest.TestCase):
     def test_each_is_one_that_its_program_takes(self) -> None:
         reference = REFERENCE.read_text(encoding="utf-8")
         for name, run in RUNS.items():
-            for words in map(str.split, run["command"].split(" && ")):
+            for words in map(str.split, filter(None, run.get("command", "").split(" && "))):
                 with self.subTest(f"{name}: {' '.join(words)}"):
                     if words[0].startswith("scripts/"):
                         self.assertRaises(Parsed, parse_script, words)
@@ -72,7 +71,7 @@ class Commands(unittest.TestCase):
         for name, run in RUNS.items():
             if name in OWN:
                 self.assertIn(OWN[name], run["command"])
-            else:
+            elif "command" in run:
                 file = re.escape(f"docs/results/data/{name}.json")
                 self.assertRegex(run["command"], rf"--(json|record|data) {file}$")
 

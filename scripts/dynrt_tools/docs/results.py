@@ -68,7 +68,8 @@ class Data:
     def renewal(self, name: str) -> str:
         """How to measure the data, in a few words."""
         run = project.read_json(self.folder / "runs.json").get(name)
-        return f"'{run['command']}' measures it" if run else "runs.json names no command for it"
+        command = run and run.get("command")
+        return f"'{command}' measures it" if command else "runs.json names no command for it"
 
     def sources(self, names: list[str]) -> list[str]:
         """The lines of a page that say where its figures come from."""
@@ -83,7 +84,8 @@ class Data:
         for name in names:
             run = runs[name]
             link = f"[{name}.json](data/{name}.json)"
-            lines.append(f"| {link} | {run['measured']} | `{run['command']}` |")
+            command = f"`{run['command']}`" if "command" in run else "a record"
+            lines.append(f"| {link} | {run['measured']} | {command} |")
         return lines
 
     def figure(self, name: str, path: str) -> Any:

@@ -104,12 +104,12 @@ class Plots(unittest.TestCase):
     """The picture of the page on variants."""
 
     def test_its_points_are_those_of_the_data(self) -> None:
-        variants = results.Data(results.RESULTS / "data").load("error")["variants"]
+        variants = results.Data(results.RESULTS / "data").load("error")["rows"]
         picture = (project.ROOT / "docs" / "pictures" / "error.svg").read_text(encoding="utf-8")
         shown = re.findall(r'aria-label="([^:"]+): ([^ ]+), ([^"]+)"', picture)
         expected = [
             (v["variant"], v[cost], v["primary.wrong_share"])
-            for cost in ("frame, ms", "LUT")
+            for cost in ("frame_ms", "LUT")
             for v in variants
         ]
         self.assertEqual([name for name, _, _ in shown], [name for name, _, _ in expected])
@@ -123,10 +123,10 @@ class Elsewhere(unittest.TestCase):
     """Pages without data of their own."""
 
     def test_the_first_hour_shows_the_frame_of_the_data(self) -> None:
-        rows = results.Data(results.RESULTS / "data").load("scenes")["scenes"]
+        rows = results.Data(results.RESULTS / "data").load("scenes")["rows"]
         shown = ("office", "fast")
-        row = next(row for row in rows if (row["scene"], row["configuration"]) == shown)
-        cycles = row["clocks per frame"]
+        row = next(row for row in rows if (row["scene"], row["variant"]) == shown)
+        cycles = row["clocks"]
         clock = placed_clocks.of("fast")
         text = (project.ROOT / "docs" / "first-hour.md").read_text(encoding="utf-8")
         rate = placed_clocks.frames_per_second(cycles, clock.mhz)
@@ -164,7 +164,7 @@ class Readme(unittest.TestCase):
 
     def test_its_figures_are_those_of_the_data(self) -> None:
         data = results.Data(results.RESULTS / "data")
-        rows = data.load("scenes")["scenes"]
+        rows = data.load("scenes")["rows"]
         text = (project.ROOT / "README.md").read_text(encoding="utf-8")
         cell = r" ([^|]+) \|"
         table = re.findall(rf"^\| `(\w+)`[^|]*\| `(\w+)` \|{3 * cell}$", text, re.M)
@@ -175,9 +175,9 @@ class Readme(unittest.TestCase):
             return results.rate_of(cycles, core, ".1f"), results.rate_of(cycles, "85", ".1f")
 
         for row in rows:
-            scene, core, cycles = row["scene"], row["configuration"], row["clocks per frame"]
+            scene, core, cycles = row["scene"], row["variant"], row["clocks"]
             if core == "fast" or scene == "office":
-                expected[scene, core] = *rates(core, cycles), row["thesis"]
+                expected[scene, core] = *rates(core, cycles), row["thesis's frames per second"]
         prototype = expected["office", "full"][-1]
         cycles = data.load("office_thesis")["frame"]["cycles"]
         expected["office", "thesis"] = *rates("thesis", cycles), prototype

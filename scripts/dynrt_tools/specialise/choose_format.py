@@ -8,7 +8,7 @@ import contextlib
 import pathlib
 
 from dynrt_tools.project import Failed
-from dynrt_tools.report import choose, report
+from dynrt_tools.experiments import choose, command
 from dynrt_tools.specialise.decisions import Measured
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
@@ -47,7 +47,7 @@ def chosen(args: argparse.Namespace, general: str, scene: str, out: pathlib.Path
         slurm=False,
         out=out,
     )
-    found, _ = report.measured(asked, [scene])
+    found = command.measured(asked, [scene])
     with contextlib.suppress(OSError):
         out.rmdir()  # of a report, which is not written; OUT.formats.work is kept
     _, holding = choose.choose(found, args.measure, args.max_error)

@@ -14,9 +14,9 @@ import tempfile
 from dynrt_tools.build.cache import BuildCache
 from dynrt_tools.build.whole import require_whole
 from dynrt_tools.project import Failed, Json, read_json, show_progress, write_json
-from dynrt_tools.report.collect import check_writable, written_first
-from dynrt_tools.report.report import guarded
-from dynrt_tools.report.variants import base_configuration
+from dynrt_tools.experiments.output import check_writable, written_first
+from dynrt_tools.experiments.command import guarded
+from dynrt_tools.experiments.table import base_configuration
 from dynrt_tools.specialise import choose_format, costs, decisions, flags, table
 from dynrt_tools.specialise.specialiser import Project, Specialiser, analysis_of, is_whole
 

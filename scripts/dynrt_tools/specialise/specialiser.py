@@ -14,8 +14,8 @@ from collections.abc import Iterable, Iterator
 
 from dynrt_tools.build import configs
 from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress, write_json
-from dynrt_tools.report.collect import scene_name, scene_path
-from dynrt_tools.report.jobs import content_of
+from dynrt_tools.experiments.output import scene_name, scene_path
+from dynrt_tools.experiments.jobs import hashed
 from dynrt_tools.specialise import analyst, choose_format, curve, decisions, flags, layout
 
 
@@ -80,8 +80,8 @@ class Project:
             "slowdown": args.max_slowdown,
             "fingerprint": args.expect,
             "variables": self.build["variables"],
-            "program": content_of(pathlib.Path(args.program)),
-            "hlsc": content_of(pathlib.Path(self.build["hlsc"])),
+            "program": hashed(pathlib.Path(args.program)),
+            "hlsc": hashed(pathlib.Path(self.build["hlsc"])),
         }
         if not os.path.isabs(self.scene):  # a built-in one
             said["scene"] = self.scene

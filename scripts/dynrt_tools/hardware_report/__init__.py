@@ -1,3 +1,0 @@
-# Copyright the dynrt authors.
-# SPDX-License-Identifier: Apache-2.0
-"""The figures of the thesis's chapter 7 for our cores."""
