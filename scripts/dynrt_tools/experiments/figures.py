@@ -75,12 +75,13 @@ def values_along(axis: Json, configuration: Json) -> list[int]:
     rules = [
         rule
         for rule in configs.load_configurations().RULES
-        if rule.other == along and configuration.get(rule.key) == rule.value
+        if rule.other == along
+        and all(configuration.get(key) == value for key, value in rule.given.items())
     ]
     return [
         value
         for value in axis["values"]
-        if (most is None or value <= most) and all(rule.allows(value) for rule in rules)
+        if (most is None or value <= most) and all(rule.wants.allows(value) for rule in rules)
     ]
 
 
@@ -140,11 +141,8 @@ def keys_of(point: Point) -> Point:
 
 
 def core_at(configuration: Json, point: Point) -> Json:
-    """The keys of the point's core. A line of the second level is a beat of the port or more."""
-    found = {**configuration, **keys_of(point)}
-    if is_behind_port(found) and found.get("second_line", 0) < own_value(found, "port_bytes"):
-        found["second_line"] = own_value(found, "port_bytes")
-    return found
+    """The keys of the point's core."""
+    return {**configuration, **keys_of(point)}
 
 
 @dataclass(frozen=True)

@@ -115,11 +115,9 @@ class Walks(Case):
         self.assertEqual(
             [figures.x_of(axis, w) for w in axis["values"]], [170, 340, 680, 1360, 2720]
         )
-        # A set has a line in each way, and a line of the second level is a beat or more.
+        # A set has a line in each way.
         lines = {int(p["lines"]) for p in figures.points(port, [BY_NAME["7.5 and 7.10"]])}
         self.assertEqual(lines, {2, 4})
-        wide: Json = {"second_level": 64, "second_line": 16, **port}
-        self.assertEqual(figures.core_at(wide, rest[-1])["second_line"], 32)
 
     def test_a_core_is_made_of_its_keys(self) -> None:
         found = experiment(self.folder, "7.12")

@@ -67,7 +67,7 @@ class Table(unittest.TestCase):
         ):
             self.assertLessEqual(least, {v.configuration[key] for v in listed.values()})
         tests = {v.configuration["triangle_test"] for v in listed.values()}
-        self.assertEqual(tests, {"unit_triangle", "watertight", "watertight_common"})
+        self.assertEqual(tests, {"unit_triangle", "watertight"})
         self.assertEqual((listed["m16"].named, listed["m16_fast"].named), ("thesis", "fast"))
         self.assertEqual(listed["m14_fast"].named, "")
 
