@@ -155,7 +155,7 @@ void run_clang(const UnitSource& source, const TemporaryFolder& folder, const st
   std::vector<std::string> args = {*clang};
   for (const char* flag :
        {"-std=c++20", "-O2", "-Xclang", "-disable-llvm-passes", "-fno-exceptions", "-fno-rtti",
-        "-ffreestanding", "-fno-threadsafe-statics", "-g", "-fstandalone-debug",
+        "-fno-builtin", "-fno-threadsafe-statics", "-g", "-fstandalone-debug",
         "-fno-caret-diagnostics", "-fno-color-diagnostics", "-DNDEBUG", "-Wno-bit-int-extension",
         "-w", "-fpch-instantiate-templates", "-c"}) {
     args.emplace_back(flag);
