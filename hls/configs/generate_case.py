@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import tempfile
 import unittest
+from collections.abc import Mapping
 
 GENERATE = pathlib.Path(__file__).resolve().parent / "generate"
 GOOD: dict[str, object] = {
@@ -22,9 +23,9 @@ GOOD: dict[str, object] = {
 }
 
 
-def listing(keys: dict[str, object], name: str = "tiny") -> str:
+def listing(keys: Mapping[str, object], name: str = "tiny") -> str:
     """A list of one configuration."""
-    return json.dumps([{"name": name} | GOOD | keys])
+    return json.dumps([{"name": name, **GOOD, **keys}])
 
 
 class GenerateCase(unittest.TestCase):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Looks for two messages of one name and namespace in the tables *_messages.h: the linker would keep
 one of the two texts, and the program would print it for both. And for messages below the program,
-host/app, that name one of its flags: other programs use that code, and have other flags."""
+host/app, that name one of its flags: other programs use that code, and have other flags.
+"""
 
 import pathlib
 import re

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable, Sequence
 
 from dynrt_tools import project, unit_names
-from dynrt_tools.hardware import rtl_files
+from dynrt_tools.hardware import rtl_files, verilator
 
 ROOT = project.ROOT
 
@@ -152,8 +152,8 @@ class Trial:
                     *("-y", ROOT / "rtl" / "lib", folder / f"{module.name}.v"),
                 ]
             )
-            if output:
-                raise Failed(output)
+            if warnings := verilator.remarks(output):
+                raise Failed(warnings)
         return "no warning"
 
     def run_cosimulation(self) -> str:

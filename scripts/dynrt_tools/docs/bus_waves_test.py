@@ -1,7 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The timing diagrams of the buses show what the bridges of rtl/bus do: Icarus runs these with the
-inputs of a diagram and gives their outputs in each clock. What is `x` in a diagram is not compared."""
+inputs of a diagram and gives their outputs in each clock. What is `x` in a diagram is not compared.
+"""
 
 import pathlib
 import re

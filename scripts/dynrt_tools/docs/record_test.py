@@ -99,8 +99,9 @@ class Record(testing.InFolder):
         calls = [
             (f"echo {n} >> {file}; exit {code}", [0, 1]) for n, code in enumerate((0, 1, 2, 0))
         ]
-        with mock.patch.object(record, "commands", lambda page: calls), mock.patch(
-            "builtins.print"
+        with (
+            mock.patch.object(record, "commands", lambda page: calls),
+            mock.patch("builtins.print"),
         ):
             with self.assertRaisesRegex(project.Failed, "ends with 2; the data of x are not whole"):
                 record.record("x")

@@ -68,8 +68,8 @@ def other_ends(join: Json, unit: str) -> dict[str, str]:
     for ram in join["rams"]:
         for end in [ram["writer"], *ram["readers"]]:
             if end.startswith(unit + "."):
-                others = ram["readers"] if end == ram["writer"] else [ram["writer"]]
-                found[end.split(".")[1]] = others_of(others, "a bank")
+                opposite = ram["readers"] if end == ram["writer"] else [ram["writer"]]
+                found[end.split(".")[1]] = others_of(opposite, "a bank")
     for bank in join["banks"]:
         if bank["port"].startswith(unit + "."):
             found[bank["port"].split(".")[1]] = f"{bank['name']} of the board"

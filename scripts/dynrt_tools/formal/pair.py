@@ -71,13 +71,8 @@ def compared(first: Unit, second: Unit) -> tuple[str, int]:
     for name, (_, width) in first.ports.items():
         for side, unit in pins.items():
             of_both = name in CLOCKED or name in first.constant
-            unit.append(
-                f".{name}(1'b1)"
-                if name in first.ready
-                else f".{name}({name})"
-                if of_both
-                else f".{name}({side}_{name})"
-            )
+            wire = name if of_both else f"{side}_{name}"
+            unit.append(f".{name}(1'b1)" if name in first.ready else f".{name}({wire})")
         if name in first.constant:
             lines.append(f"  (* anyconst *) wire [{width - 1}:0] {name};")
         if name not in first.stage:

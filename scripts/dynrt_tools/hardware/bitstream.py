@@ -6,7 +6,8 @@ chip is. That takes some twenty minutes. hlsc makes the Verilog of its core, whi
 (scripts/test --build-only). nextpnr-ecp5 and ecppack come with the OSS CAD Suite, not with Debian 12.
 
 Where a tool is not on the PATH, says which, and checks what can be checked without it: that each pin
-of the top has a site and no other has, and with Yosys that it is synthesized and the chip has room."""
+of the top has a site and no other has, and with Yosys that it is synthesized and the chip has room.
+"""
 
 import argparse
 import pathlib

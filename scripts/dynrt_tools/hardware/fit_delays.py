@@ -4,7 +4,8 @@
 
 A record is a file that `scripts/place --record` wrote. hlsc schedules its Verilog again, by the delay
 model of that time, and predicts when the signals arrive that limited the clock. A least-squares fit of
-the relative errors then finds the constants. No placer is needed."""
+the relative errors then finds the constants. No placer is needed.
+"""
 
 import argparse
 import json

@@ -23,6 +23,7 @@ import sys
 from dynrt_tools import project
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import rtl_files
+from dynrt_tools.hardware.verilator import remarks
 
 VENDOR_CELLS = ("+/ecp5/cells_sim.v", "+/ecp5/cells_bb.v")
 WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
@@ -73,7 +74,8 @@ def verilator(
         command += [str(v) for v in sorted(waivers.glob("*.vlt"))]
     for folder in [*rtl_files.include_folders(sources), vendor]:
         command += ["-y", str(folder)]
-    return run([*command, str(path)])
+    code, output = run([*command, str(path)])
+    return code, remarks(output)
 
 
 def yosys(sources: list[pathlib.Path]) -> tuple[int, str]:

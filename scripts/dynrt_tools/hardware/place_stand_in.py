@@ -127,20 +127,15 @@ class StandIn(unittest.TestCase):
         } | flags
         synthesis.tool_version.cache_clear()
         output, errors = io.StringIO(), io.StringIO()
-        with mock.patch.dict(os.environ, environment), mock.patch.object(
-            synthesis, "KEPT", self.folder / "kept"
-        ), mock.patch.object(
-            place, "parse", functools.partial(argparse.Namespace, **args)
-        ), mock.patch.object(
-            place, "chosen", lambda _: (list(names), None)
-        ), mock.patch.object(
-            place_row, "prepare", self.prepare
-        ), mock.patch.object(
-            placing, "logic_delay", timing
-        ), contextlib.redirect_stdout(
-            output
-        ), contextlib.redirect_stderr(
-            errors
+        with (
+            mock.patch.dict(os.environ, environment),
+            mock.patch.object(synthesis, "KEPT", self.folder / "kept"),
+            mock.patch.object(place, "parse", functools.partial(argparse.Namespace, **args)),
+            mock.patch.object(place, "chosen", lambda _: (list(names), None)),
+            mock.patch.object(place_row, "prepare", self.prepare),
+            mock.patch.object(placing, "logic_delay", timing),
+            contextlib.redirect_stdout(output),
+            contextlib.redirect_stderr(errors),
         ):
             code = place.main()
         synthesis.tool_version.cache_clear()

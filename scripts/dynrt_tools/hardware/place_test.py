@@ -146,9 +146,10 @@ class Lowering(unittest.TestCase):
 
     def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
         refusal = project.Failed("sum.h:3: takes 2.35 ns")
-        with mock.patch.object(lowering, "units", lambda *_: self.UNIT), mock.patch.object(
-            lowering, "lower", side_effect=refusal
-        ) as lower:
+        with (
+            mock.patch.object(lowering, "units", lambda *_: self.UNIT),
+            mock.patch.object(lowering, "lower", side_effect=refusal) as lower,
+        ):
             row = self.prepared("8")
         self.assertEqual(pathlib.Path(lower.call_args.args[3]).name, "ecp5-8.json")
         self.assertIsNone(row.subject)
@@ -169,9 +170,11 @@ class Lowering(unittest.TestCase):
     def test_its_row_names_the_model_that_it_was_lowered_by(self) -> None:
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         (folder / "sum.txt").write_text(REPORT, encoding="utf-8")
-        with mock.patch.object(lowering, "units", lambda *_: self.UNIT), mock.patch.object(
-            lowering, "lower", lambda *_: folder
-        ), mock.patch.object(synthesis, "cells", lambda *_: ({}, 0.0)):
+        with (
+            mock.patch.object(lowering, "units", lambda *_: self.UNIT),
+            mock.patch.object(lowering, "lower", lambda *_: folder),
+            mock.patch.object(synthesis, "cells", lambda *_: ({}, 0.0)),
+        ):
             models = {grade: self.prepared(grade).data["delay"] for grade in ("", "7", "8")}
         first = "hls/compiler/delay/ecp5.json"
         self.assertEqual(models, {"": first, "7": first, "8": "hls/compiler/delay/ecp5-8.json"})

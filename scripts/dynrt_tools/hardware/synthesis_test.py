@@ -39,9 +39,11 @@ class Yosys(testing.InFolder):
             "FAILURES": str(failures),
             "ERROR": error,
         }
-        with mock.patch.dict(os.environ, environment), mock.patch.object(
-            synthesis, "KEPT", self.folder
-        ), contextlib.redirect_stderr(errors):
+        with (
+            mock.patch.dict(os.environ, environment),
+            mock.patch.object(synthesis, "KEPT", self.folder),
+            contextlib.redirect_stderr(errors),
+        ):
             try:
                 synthesis.run_yosys(["stat"], self.folder, "mailbox")
             except project.Failed as failed:
