@@ -5,11 +5,17 @@
 import html.parser
 import pathlib
 import re
+import socket
+import threading
+import time
 import unittest
+import unittest.mock
+import urllib.error
 import urllib.parse
+import urllib.request
 
 from dynrt_tools import project
-from dynrt_tools.docs import links, site
+from dynrt_tools.docs import links, main, site
 
 LOADED = {"script": "src", "img": "src", "iframe": "src"}
 NOT_LOADED = {"canonical", "next", "prev", "alternate"}
@@ -82,6 +88,21 @@ class Site(unittest.TestCase):
         index = (site.SITE / "search" / "search_index.js").read_text(encoding="utf-8")
         self.assertTrue(index.startswith("var searchIndex = {"))
         self.assertIn("packet_decision", index)
+
+    def test_it_is_served(self) -> None:
+        with socket.socket() as found:
+            found.bind(("localhost", 0))
+            port = found.getsockname()[1]
+        with unittest.mock.patch.object(main, "PORT", port):
+            threading.Thread(target=main.serve, args=(site.SITE,), daemon=True).start()
+            for _ in range(100):
+                try:
+                    with urllib.request.urlopen(f"http://localhost:{port}/") as answer:
+                        self.assertEqual(answer.read(), (site.SITE / "index.html").read_bytes())
+                    return
+                except urllib.error.URLError:
+                    time.sleep(0.1)
+        self.fail("the site is not served")
 
 
 if __name__ == "__main__":
