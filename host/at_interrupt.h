@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a part of the program puts right when SIGHUP, SIGINT or SIGTERM ends it.
+// Clean-up that a part of the program does when SIGHUP, SIGINT or SIGTERM ends the program.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace dynrt::host {
 
 class AtInterrupt {
  public:
-  /// Calls nothing that a signal handler must not.
+  /// May call only functions that are safe in a signal handler.
   using Action = void (*)(const void* of);
 
   /// While this object lives, the end by a signal calls `action` with `of`.
@@ -41,7 +41,7 @@ class AtInterrupt {
   /// A signal that is ignored, as by nohup, stays so.
   static void catch_signals() {
     for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-      // Who has chosen what a signal does has chosen what becomes of the rest, too.
+      // A handler that is already installed stays, and then decides about the clean-up too.
       const auto before = std::signal(signal, end);
       if (before != SIG_DFL) std::signal(signal, before);
     }

@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The pins of a Verilated unit, found through the binding header that hlsc writes beside the
-// Verilog:
+// The pins of a Verilated unit, found through the binding header that hlsc writes with the Verilog:
 //   template <class V, class F> void visit_ports_<module>(V& v, F&& f);
 // which calls, in member order,
 //   f.clock(clk_i, rst_ni)

@@ -14,7 +14,7 @@
 
 #include "units/core.h"
 #include "units/frame_watch.h"
-#include "units/units_course.h"
+#include "units/unit_activity.h"
 
 namespace dynrt {
 
@@ -35,7 +35,7 @@ class CoreWatch {
     for (const hls::ChannelRecord& channel : join.record().channels) {
       watch.channels.push_back({channel.name, channel.from, channel.to});
     }
-    course_.emplace(join, watch);
+    activity_.emplace(join, watch);
     looks_.resize(watch.units.size());
     for (unsigned i = 0; i < kPipelines<C>; ++i) look_at(core.pipeline[i], i);
     join.watch([this](std::size_t unit, std::uint64_t clock) { see(unit, clock); });
@@ -49,7 +49,7 @@ class CoreWatch {
     if (watch_.stop != nullptr && watch_.stop->load(std::memory_order_relaxed) > 0) {
       throw FrameStopped();
     }
-    course_->works(unit, clock);
+    activity_->works(unit, clock);
     if (looks_[unit]) looks_[unit](clock);
   }
 
@@ -144,7 +144,7 @@ class CoreWatch {
   }
 
   FrameWatch& watch_;
-  std::optional<UnitsCourse> course_;
+  std::optional<UnitActivity> activity_;
   std::vector<Look> looks_;  ///< by unit
   std::array<std::array<PacketWork, kPackets>, kPipelines<C>> traced_{};
 };

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Answers what scripts/specialise asks about a scene, so that the script builds and this program
+// Answers the questions of scripts/specialise about a scene: the script builds, and this program
 // analyses and renders, with the scene in memory.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace dynrt::host {
 
-/// What a frame takes on the native model, by the schedules of a core's Verilog.
+/// The cost of a frame on the native model, by the schedules of a core's Verilog.
 struct FrameCosts {
   std::uint64_t clocks = 0;
   std::optional<double> bytes_per_ray;  ///< read of the scene; none without counters
 };
 
-/// Counts it.
+/// Counts the cost of frames.
 class CostMeter {
  public:
   CostMeter(SceneFile& file, const AnalysedFrames& frames);
@@ -34,8 +34,8 @@ class CostMeter {
   std::optional<Prepared> prepared_;
 };
 
-/// A question is a line of JSON, and so is its answer; {"refused": SENTENCE} for what the user has
-/// to mend.
+/// A question is a line of JSON, and so is its answer; {"refused": SENTENCE} for a mistake of the
+/// user.
 ///   {"ask": "needs", "configuration": NAME}    what `dynrt needs --json` writes, and "about";
 ///                                              without a name of the general configuration
 ///   {"ask": "frame", "configuration": FILE, "schedules": FOLDER, "packets": N, "lines": N}

@@ -18,7 +18,7 @@ namespace dynrt::host {
 /// UserError if this build or the board's configuration lacks a part that the frame needs.
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
 
-/// A progress line of a frame on a board, and of what goes over the board's line for it.
+/// A progress line for a frame on a board, and for the transfers on the board's line.
 class BoardProgress {
  public:
   BoardProgress(Board& board, std::string what, std::uint64_t pixels);

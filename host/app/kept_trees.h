@@ -1,9 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Trees of objects that an earlier run of the program has built, in a folder of the user's. Each
-// lies under a key of all that it is made of: the object's primitives, the options, and the sources
-// of the builder.
+// Saves the trees of objects in a folder of the user for later runs of the program. The name of a
+// file is a hash of the object's primitives, the options, and the sources of the builder.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +14,14 @@ namespace dynrt::host {
 
 class KeptTrees {
  public:
-  /// Bytes that the folder may take; beyond that the trees that were made first go.
+  /// Bytes that the folder may take; beyond that the oldest trees are removed.
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20;
 
   explicit KeptTrees(std::filesystem::path folder, std::uintmax_t most_bytes = kMostBytes)
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
-  /// The kept tree, else a new one, which is kept then. A file that is damaged counts as none, and
-  /// a folder that cannot be written keeps nothing.
+  /// The saved tree, or else a new one, which is then saved. A damaged file is ignored, and nothing
+  /// is saved into a folder that cannot be written.
   Tree tree(const Mesh& object, const TreeOptions& options) const;
 
  private:
@@ -33,11 +32,11 @@ class KeptTrees {
   std::uintmax_t most_bytes_;
 };
 
-/// Where the program keeps its trees: in the folder that DYNRT_CACHE names, else in the user's
-/// cache folder; empty if there is neither.
+/// The folder of the saved trees: in the folder DYNRT_CACHE, else in the user's cache folder; empty
+/// if there is neither.
 std::filesystem::path folder_of_trees();
 
-/// Options with which objects take the trees of an earlier run from there, and leave theirs.
+/// Options with which trees are taken from this folder and saved there.
 TreeOptions kept_trees();
 
 }  // namespace dynrt::host

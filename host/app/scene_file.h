@@ -19,12 +19,12 @@ class SceneFile {
 
   const SceneArguments& arguments() const { return arguments_; }
 
-  /// As the file has it, without what the flags add; read where it is not there yet. Throws
-  /// UserError.
+  /// The scene of the file, without the lights and mirrors of the flags; reads it if need be.
+  /// Throws UserError.
   const Scene& scene();
-  /// The same, to change; a scene that is not kept is gone then.
+  /// The same, to be changed by the caller; without `again` it is moved out.
   Scene take();
-  /// That reading took.
+  /// The time that reading took.
   double seconds() const { return seconds_; }
 
  private:

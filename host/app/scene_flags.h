@@ -35,7 +35,7 @@ std::string name_of(std::optional<std::string> SceneArguments::* value);
 /// Adds them to a command, which writes their values to `scene`.
 void add_scene_flags(CLI::App& command, SceneArguments& scene);
 
-/// What is given of them, each as NAME=VALUE.
+/// The flags that are given, each as NAME=VALUE.
 std::vector<std::string> words_of(const SceneArguments& scene);
 
 /// The flags of `dynrt needs` as JSON, for scripts/specialise, which takes them too: a list of

@@ -23,7 +23,7 @@ struct ChosenCore {
   std::string general;  ///< the same without --specialise, if the user named a general one
 };
 
-/// What a core that is made for a scene must have or hold besides one frame.
+/// Further demands on a core that is made for a scene, besides one frame.
 struct SpecialiseWishes {
   std::vector<std::string> keep{};   ///< keys of the configuration that stay
   std::optional<unsigned> frames{};  ///< of a walk

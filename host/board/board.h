@@ -43,7 +43,8 @@ struct FrameRun {
 /// Called now and then with the number of pixels of the frame that are written.
 using PixelProgress = std::function<void(std::uint64_t pixels)>;
 
-/// Called while bytes go to a board or come from it: what they are, how many have, of how many.
+/// Called while bytes go to a board or come from it, with their kind and their number so far and in
+/// all.
 using TransferProgress =
     std::function<void(std::string_view what, std::uint64_t done, std::uint64_t total)>;
 
@@ -72,24 +73,24 @@ class Board {
   /// pixels are.
   virtual void read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels);
 
-  /// Sends what write() has kept back, if the way to the board is such that it pays.
+  /// Sends the words that write() has buffered; only a board on a slow line buffers them.
   virtual void finish_writes() {}
-  /// Behind the last read() of a frame's results. Throws UserError if the memory answered one of
-  /// them with an error.
+  /// Called after the last read() of a frame's results. Throws UserError if the memory answered one
+  /// of them with an error.
   virtual void finish_reads() {}
-  /// Of a board at the end of a line so slow that somebody waits for it; empty: nobody is told.
+  /// Reports transfers to `progress`, if the line to the board is slow; an empty one ends that.
   virtual void report_transfers(TransferProgress /*progress*/) {}
 
-  /// What lies between host and board.
+  /// The name of the bus or line between host and board.
   virtual std::string_view bus() const { return "33 MHz PCI"; }
-  /// The clock that the board gives its core, if it is one that exists.
+  /// The clock that a real or simulated board gives its core; none for an emulated one.
   virtual std::optional<double> clock_hz() const { return std::nullopt; }
   /// Whether the memory behind the core's port, if it has one, is emulated, so that it takes a
   /// timing.
   virtual bool emulates_memory() const { return true; }
-  /// Of the memory behind the core's port, if it has one; from the next frame on.
+  /// Sets the timing of the memory behind the core's port, if it has one, from the next frame on.
   virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
-  /// Notes what `watch`, if not null, wants of the next frames; only a model can.
+  /// Records into `watch`, if not null, what it asks for of the next frames; only a model can.
   virtual void observe(FrameWatch* /*watch*/) {}
   virtual void configure(const FrameConfig& frame) = 0;
   /// Throws UserError if the board refuses: the core has not the packets or the cache lines.

@@ -22,13 +22,13 @@ bool is_configuration_file(std::string_view name);
 /// configuration, was cut off or fits another program.
 const Configuration& load_configuration(const std::string& path, bool rtl = false);
 
-/// A configuration that hls/configs/configs.json lists and the program does not hold: the library
-/// that the build made beside it (its folder `configurations`, installed or not) if that is not
-/// older than the program's sources, else one that is made now.
+/// A configuration of hls/configs/configs.json that is not part of the program. Takes the library
+/// that the build made (in its folder `configurations`, installed or not) if it is not older than
+/// the program's sources; otherwise makes one now.
 const Configuration& load_listed_configuration(const std::string& name, bool rtl);
 
-/// Makes the library that find_configuration() loads, if one must be made, and tells the steps of
-/// that. It loads nothing, so that another thread may do so meanwhile.
+/// Makes the library that find_configuration() loads, if need be, and reports each step. It loads
+/// nothing, so another thread may load a configuration at the same time.
 void make_ready(std::span<const Configuration> table, const std::string& name,
                 const std::function<void(const std::string& step)>& tell);
 

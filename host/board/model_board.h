@@ -23,8 +23,8 @@ class NativeCore {
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
-  /// With schedules it runs clock by clock. Returns the clocks, or none without schedules. Notes
-  /// what `watch`, if not null, wants.
+  /// Runs clock by clock if it gets schedules, and returns the clocks; none without schedules.
+  /// Records into `watch`, if not null, the data that it asks for.
   virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
                                               const hls::ModuleSchedules* schedule,
                                               FrameWatch* watch) = 0;

@@ -19,14 +19,14 @@ Json json_of(const CoreConfiguration& configuration);
 /// The value of one key; throws std::out_of_range for an unknown one.
 Json value_of(const CoreConfiguration& configuration, std::string_view key);
 
-/// Reads what a user's file or the result of json_of() states. A value may stand beside its reason,
-/// as {"value": ..., "reason": ...}; a missing key gets the value of the listed configuration that
+/// Reads a user's file or the result of json_of(). A value may have its reason beside it, as in
+/// {"value": ..., "reason": ...}. A missing key gets the value of the listed configuration that
 /// `like` names, else its default. Throws std::invalid_argument for a value of another type and for
 /// an unknown `like`.
 CoreConfiguration configuration_of(const Json& json);
 
-/// The keys that a configuration has which is like another: the table of keys says which ones it
-/// inherits, and the others are as by default. Generated with the listed configurations.
+/// The keys of a configuration that is `like` another: the table of keys states those that it
+/// inherits; the others have their defaults. Generated with the listed configurations.
 CoreConfiguration inherited_from(const CoreConfiguration& other);
 
 }  // namespace dynrt

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one way from a scene to the words of the board's memory: fit it to the core's numbers, build
-// its trees, lay out the part that stands still (ObjectImage) and the part of one frame
+// its trees, lay out the static part (ObjectImage) and the part of one frame
 // (FrameImage).
 #pragma once
 

@@ -22,10 +22,10 @@ void check_matrices(const Scene& scene, const CoreInfo& core);
 /// The same for a number of matrices.
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed);
 
-/// Of the scene's lights, those whose rays the core traces.
+/// The number of the scene's lights whose rays the core traces.
 std::size_t lights_used(const Scene& scene, const CoreInfo& core);
-/// The boxes that each instance has in the memory: where the core tests them, one as it lies from
-/// the eye and one from each of those lights.
+/// The boxes that each instance has in the memory. If the core tests boxes, there is one as seen
+/// from the eye and one as seen from each of those lights.
 std::size_t boxes_of_instance(const Scene& scene, const CoreInfo& core);
 /// The matrices that the boxes of the scene's instances take.
 std::size_t boxes_in(const Scene& scene, const CoreInfo& core);

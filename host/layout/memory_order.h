@@ -1,13 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The order in which a tree's nodes and the lists of its leaves lie in the memory. A line of a
-// cache is to hold what is read one after another. So nodes form treelets of as many nodes as a
-// line has: from a treelet's root on, that node joins next which a ray reaches with the largest
-// probability, by its surface (Yoon and Manocha, "Cache-efficient layouts of bounding volume
-// hierarchies", 2006). Lists follow each other as the treelets lead to them. Nothing is left free
-// between any of them: where one would lie across two lines, one that comes a little later and fits
-// goes first.
+// The order of a tree's nodes and of its leaves' lists in the memory. A cache line should hold data
+// that are read one after another. So nodes form treelets of as many nodes as a line has: starting
+// from a treelet's root, the node joins next that a ray reaches with the largest probability, by
+// its surface (Yoon and Manocha, "Cache-efficient layouts of bounding volume hierarchies", 2006).
+// Lists follow each other in the order of the treelets. There are no gaps: where a treelet or list
+// would lie across two lines, a later one that fits goes first.
 #pragma once
 
 #include <cstdint>

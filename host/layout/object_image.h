@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The part of a scene's image that stands still: the objects' trees, lists and triangle matrices,
+// The static part of a scene's image: the objects' trees, lists and triangle matrices,
 // laid out once from the bottom of the memory.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace dynrt::host {
 /// The static part. It holds the core that the whole image is laid out for. Throws UserError if a
 /// limit of the memory is exceeded or a triangle's matrix is outside the core's numbers.
 struct ObjectImage {
-  /// Where an object lies.
+  /// The place of an object.
   struct Object {
     std::uint32_t root = 0;          ///< for rays that start inside its box
     std::uint32_t clipped_root = 0;  ///< for all others

@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The host's end of the line to a board (docs/explanation/link.md). Requests have numbers; some are
-// under way at once, and what is lost is repeated: a frame that the board misses, from that frame
-// on, as the board takes them in order only; an answer that the host misses, alone. Each call is
-// over when everything is answered. All of them throw UserError, in bounded time, when the board
-// does not answer any more.
+// The host's end of the line to a board (docs/explanation/link.md). Requests have numbers, and
+// several are in flight at once. If the board misses a link packet, the host repeats the requests
+// from that one on, as the board takes them only in order. If the host misses an answer, it repeats
+// that request alone. Each call returns when everything is answered, and throws UserError, in
+// bounded time, when the board stops answering.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@
 
 namespace dynrt::host {
 
-/// What a board says of itself.
+/// A board's description of itself.
 struct LinkIdentification {
   std::string configuration;
   unsigned version = 0;  ///< of the link
@@ -41,9 +41,9 @@ struct LinkPatience {
 
 struct LinkCounts {
   std::uint64_t requests = 0;     ///< answered
-  std::uint64_t repeats = 0;      ///< frames that were sent again
-  std::uint64_t missed = 0;       ///< answers of the board that a frame is missing
-  std::uint64_t bad_answers = 0;  ///< frames of the board that were not whole
+  std::uint64_t repeats = 0;      ///< link packets that were sent again
+  std::uint64_t missed = 0;       ///< answers of the board that a link packet is missing
+  std::uint64_t bad_answers = 0;  ///< damaged link packets of the board
   std::uint64_t timeouts = 0;
   std::uint64_t sent = 0;      ///< bytes on the line
   std::uint64_t received = 0;  ///< likewise
@@ -57,7 +57,7 @@ using LinkProgress = std::function<void(std::uint64_t bytes)>;
 
 class BoardLink {
  public:
-  /// Finds out what the board is. Throws UserError if nothing answers, or nothing of dynrt.
+  /// Identifies the board. Throws UserError if nothing answers, or something else than dynrt.
   explicit BoardLink(std::unique_ptr<ByteStream> line, LinkPatience patience = {});
 
   const LinkIdentification& board() const { return board_; }

@@ -26,7 +26,8 @@ struct MemoryBytes {
   std::vector<std::uint8_t> bytes;
   friend bool operator==(const MemoryBytes&, const MemoryBytes&) = default;
 };
-/// The requests that write these parts, whose bytes they point to. A frame ends where a beat ends.
+/// The requests that write these parts; they point to the bytes of the parts. Each link packet ends
+/// where a beat ends.
 std::vector<LinkRequestFrame> write_frames(std::span<const MemoryBytes> parts);
 
 struct LinkAnswerFrame {
@@ -38,19 +39,19 @@ struct LinkAnswerFrame {
 /// The CRC as it is sent.
 std::uint32_t link_crc(std::span<const std::uint8_t> bytes);
 
-/// Appends a frame of these bytes: with their CRC, escapes, and a flag before and behind it.
+/// Appends a link packet of these bytes: with their CRC, escapes, and a flag at both ends.
 void append_framed(std::vector<std::uint8_t>& line, std::vector<std::uint8_t> bytes);
 void append_frame(std::vector<std::uint8_t>& line, const LinkRequestFrame& request);
 
 /// Takes the bytes of the line one by one.
 class AnswerReader {
  public:
-  /// The answer that ends with this byte, if one does and is unharmed.
+  /// The answer that ends with this byte, if one does and is undamaged.
   std::optional<LinkAnswerFrame> take(std::uint8_t byte);
 
   std::uint64_t bytes() const { return bytes_; }
   std::uint64_t bad_frames() const { return bad_frames_; }
-  /// Whether the line is within a frame.
+  /// Whether the line is within a link packet.
   bool in_frame() const { return !frame_.empty() || escaped_; }
 
  private:

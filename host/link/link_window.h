@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which of a number of requests are under way, and which are to be sent again. Line and board keep
-// the order of what they do not lose. So an answer tells that each request sent before its own, and
-// not answered, has lost its answer; and a board that misses a request takes none behind it.
+// Keeps track of the requests in flight and of those to repeat. Line and board keep the order of
+// all packets that are not lost. So an answer shows that every earlier request without an answer
+// has lost it; and a board that misses a request takes no later one.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,7 @@ namespace dynrt::host {
 
 class LinkWindow {
  public:
-  /// Of a write it is enough to know that a later one was carried out, so `only_once` needs no
-  /// answer of its own.
+  /// A write needs no answer of its own (`only_once`) if a later request was carried out.
   LinkWindow(std::size_t requests, std::size_t most_under_way, bool only_once)
       : requests_(requests), most_(most_under_way), only_once_(only_once) {}
 
@@ -26,20 +25,20 @@ class LinkWindow {
 
   /// The request to send now, if there is one. It counts as sent.
   std::optional<std::size_t> next();
-  /// The request that has this number on the line, counted from 0 and modulo 256; only if it is
-  /// under way and not answered.
+  /// The request with this number on the line, counted from 0 and modulo 256, if it is in flight
+  /// and not answered.
   std::optional<std::size_t> under_way(std::uint8_t number) const;
 
   /// Such a request is answered.
   void answer(std::size_t request);
   /// The board misses the request with this number on the line.
   void missing(std::uint8_t number);
-  /// Nothing came for long.
+  /// Nothing has come for a long time.
   void repeat_all();
 
  private:
   struct Entry {
-    std::uint64_t sent = 0;  ///< counts the frames on the line
+    std::uint64_t sent = 0;  ///< counts the link packets on the line
     bool waits = true;       ///< to be sent
     bool done = false;
   };

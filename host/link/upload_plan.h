@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What has to be sent so that a board's memory holds an image: the bytes that the board does not
-// hold yet, in as few bytes on the line as frames allow. Bytes between two changes go along where
-// that is shorter than another frame.
+// Plans the upload of an image to a board: only bytes that differ from the board's memory, with as
+// few bytes on the line as link packets allow. Unchanged bytes between two changes are sent too
+// where that is shorter than another packet.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@
 
 namespace dynrt::host {
 
-/// Bytes of a frame that carry no data: flags, header, CRC.
+/// Bytes of a link packet that carry no data: flags, header, CRC.
 inline constexpr unsigned kFrameOverhead = 2 + kLinkHeaderBytes + kLinkCrcBytes;
 inline constexpr unsigned kAnswerOverhead = 2 + kLinkAnswerBytes + kLinkCrcBytes;
 
-/// What memory costs on the line.
+/// The cost of memory transfers on the line.
 struct LineCost {
   std::size_t frames = 0;
   std::uint64_t carried = 0;  ///< bytes of the memory
@@ -29,17 +29,17 @@ struct LineCost {
   double seconds = 0;
 };
 LineCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud = kLinkBaud);
-/// Of so many bytes that are read one after another, in beats of this size. Requests go the other
-/// way meanwhile and take no time.
+/// The cost of reading so many consecutive bytes, in beats of this size. The requests go in the
+/// other direction at the same time and cost nothing.
 LineCost read_cost(std::uint64_t bytes, unsigned beat_bytes, unsigned baud = kLinkBaud);
 
-/// What the board's memory holds, as far as it is known.
+/// The contents of the board's memory, as far as they are known.
 class UploadPlan {
  public:
   /// The parts to send so that the board holds these, in the order of their addresses. Addresses
   /// and lengths are even. From now on the board counts as holding them.
   std::vector<MemoryBytes> changes(std::span<const MemoryBytes> image);
-  /// Nothing is known any more: an upload was interrupted.
+  /// Forgets all contents, as an upload was interrupted.
   void forget() { pages_.clear(); }
 
  private:
@@ -48,7 +48,7 @@ class UploadPlan {
     std::array<std::uint8_t, kPageBytes> bytes{};
     std::bitset<kPageBytes / 2> known;  ///< of its halves
   };
-  /// Notes a half; tells whether the board has to be told.
+  /// Records a half of 16 bits; returns whether the board needs it.
   bool note(std::uint32_t address, std::uint8_t low, std::uint8_t high);
   /// Whether the bytes from `begin` to `end` are known; if so, appends them.
   bool append_known(std::vector<std::uint8_t>& to, std::uint32_t begin, std::uint32_t end) const;

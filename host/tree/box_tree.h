@@ -19,7 +19,7 @@ namespace dynrt::host {
 struct BoxTreeOptions {
   Grid grid{};                     ///< that the splits lie on
   Leaves leaves = Leaves::kNodes;  ///< as the memory has them
-  bool main_first = false;         ///< of instances: the main one is kept apart
+  bool main_first = false;         ///< of instances: the main one is not in the tree
   double item = 8;                 ///< in traversal steps
   double empty_bonus = 0.2;        ///< part of a plane's cost forgiven where one side is empty
   double depth_factor = 0.6;       ///< depth at most depth_factor * log2(boxes) + depth_extra

@@ -17,7 +17,7 @@ namespace dynrt::host {
 
 struct Mesh;
 struct TreeOptions;
-/// What makes the tree of an object.
+/// The parameters of an object's tree.
 using MakeTree = std::function<Tree(const Mesh& object, const TreeOptions& options)>;
 
 struct TreeOptions {

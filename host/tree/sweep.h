@@ -4,7 +4,7 @@
 // Finds the plane that splits a cell at the least expected cost by the surface-area heuristic. All
 // positions are codes of the number grid. Candidates are the faces of the items' boxes and, on each
 // axis, two planes a hair off the cell's own faces: they separate walls on a cell's face from the
-// empty room before it, which no plane through an item's face can do.
+// empty space before it, which no plane through an item's face can do.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A board of the renderer whose host is at the end of a link: a real one at a serial device, such
-// as an ULX3S or an Arty (rtl/arty), or a simulated ULX3S, whose picture is what a monitor sees at
-// its DVI pins.
+// A board for the renderer at the end of a link: a real one at a serial device, such as a ULX3S or
+// an Arty (rtl/arty), or a simulated ULX3S, whose picture is the one that a monitor sees at its DVI
+// pins.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ class BoardAtLink final : public RtlBoard {
   BoardAtLink(std::string name, const LinkedCore& core, std::unique_ptr<LinkedBoard> linked,
               SimulatedUlx3s* simulated);
 
-  /// What its display shows is what read_pixels() gives.
+  /// read_pixels() already gives the picture of its display.
   bool has_scan_out() const override { return false; }
   void finish_writes() override { linked_.send_memory(); }
   void report_transfers(TransferProgress progress) override {
@@ -62,7 +62,7 @@ class BoardAtLink final : public RtlBoard {
   /// The picture as it is shown.
   void read_display(std::span<std::uint32_t> pixels);
 
-  /// `linked` is what the base owns.
+  /// `linked` is the object that the base owns.
   BoardAtLink(std::string name, const LinkedCore& core, LinkedBoard& linked,
               std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated);
 
@@ -73,8 +73,8 @@ class BoardAtLink final : public RtlBoard {
   bool shows_ = false;  ///< a picture that fits the display
 };
 
-/// A board of one of the names above, which must hold this configuration; one that is empty stands
-/// for whatever the board holds. Throws UserError if there is no such board.
+/// A board of one of the names above, which must have this configuration; an empty name accepts any
+/// configuration. Throws UserError if there is no such board.
 std::unique_ptr<Board> make_board_at_link(const std::string& board,
                                           const std::string& configuration = "");
 

@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A board at the end of a link, with the operations of the bus that RtlBoard knows: registers go
-// over the link, and the window's words into the board's memory, where the port has them
-// (host/format/port_address.h). What the host writes is sent when a frame starts, and only what the
-// board does not hold yet.
+// A board at the end of a link, with the bus operations that RtlBoard uses. Accesses to registers
+// go over the link. Words of the window go into the board's memory, at the addresses of the port
+// (host/format/port_address.h). Words that the host writes are sent when a frame starts, and only
+// those that differ from the board's.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@
 
 namespace dynrt::host {
 
-/// A way into the board's memory beside the link, which a simulation has.
+/// Direct access to the memory of a simulated board, which saves the time of the link.
 class BackDoor {
  public:
   virtual ~BackDoor() = default;
@@ -38,7 +38,7 @@ class LinkedBoard final : public ClockedBoard {
   /// Called while the board works on a frame, before its state is asked for again.
   using Pause = std::function<void()>;
 
-  /// With a back door, which outlives the board, the memory does not go over the link.
+  /// With `door`, which outlives the board, transfers of the memory bypass the link.
   LinkedBoard(std::unique_ptr<BoardLink> link, BackDoor* door, Pause pause);
 
   void reset() override {}
@@ -50,17 +50,17 @@ class LinkedBoard final : public ClockedBoard {
   void watch(VgaMonitor* /*monitor*/) override {}
   std::optional<std::uint64_t> frame_writes() const override { return std::nullopt; }
 
-  /// Of the memory.
+  /// Reports transfers of the memory.
   void report_transfers(TransferProgress progress) { progress_ = std::move(progress); }
-  /// For the link, of a transfer of so many bytes, or of what else takes its time.
+  /// A progress function for the link, for a transfer of `total` bytes called `what`.
   LinkProgress progress_of(std::string_view what, std::uint64_t total) const;
-  /// Counts bytes of the memory that came another way, as if they had come over the line.
+  /// Counts bytes of the memory that did not come over the line as if they had.
   void count_read(std::uint64_t bytes);
-  /// Sends what the board does not hold yet of what was written to the window.
+  /// Sends the words written to the window that differ from the board's.
   void send_memory();
   /// Bytes of the memory that were sent.
   std::uint64_t uploaded() const { return uploaded_; }
-  /// On the line, or what would have been there without a back door.
+  /// The traffic on the line, including transfers that bypassed it.
   BusTraffic traffic() const;
   double clock_hz() const { return link_->board().clock_hz; }
   unsigned pixel_mhz() const { return link_->board().pixel_mhz; }  ///< 0: it has no display

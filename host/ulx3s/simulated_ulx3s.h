@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A simulated ULX3S: the whole of ulx3s_board in Verilator, with what stands at its pins: the
-// SDRAM chip, the host's end of the serial line, and a DVI monitor. Its time runs only while
-// somebody waits for bytes or lets it run.
+// A simulated ULX3S: the whole of ulx3s_board in Verilator, with models of the parts at its pins:
+// the SDRAM chip, the host's end of the serial line, and a DVI monitor. Its time runs only while a
+// caller waits for bytes or calls run().
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace dynrt::host {
 
-/// What has gone over the pins of the SDRAM since the board was set up.
+/// The traffic at the pins of the SDRAM since the board was set up.
 struct SdramUse {
   std::uint64_t clocks = 0;
   std::uint64_t words_read = 0;  ///< of 16 bits, each a clock of the data pins

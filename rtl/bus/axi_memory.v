@@ -9,16 +9,15 @@
 // of 32 MB.
 //
 // Where every read has one beat, ARID is the core's id, so that the memory may answer in any order.
-// Longer answers might come with their beats interleaved, which the core could not tell apart; so
-// all reads have one id then, are answered in order, and the core's ids wait in a FIFO. IN_ORDER asks
-// for that too where reads are short, for a memory that has few ids or answers in order anyway.
+// Beats of longer answers might come interleaved, which the core cannot sort. So all reads then have
+// one id, are answered in order, and the core's ids wait in a FIFO. IN_ORDER does the same where
+// reads are short, for a memory that has few ids or answers in order anyway.
 //
-// Of an answer with an error the core gets what ends its way through the scene (memory_filler.v),
-// so that the frame ends; the first error's address goes to the registers.
+// In place of an answer with an error the core gets data that end its path through the scene
+// (memory_filler.v), so that the frame ends; the first error's address goes to the registers.
 //
-// While stop_i is high, the core is in reset: what comes for it is thrown away, and a burst of
-// writes that it has begun is ended with beats that write nothing. stop_i stays high until idle_o
-// is.
+// While stop_i is high, the core is in reset: its answers are dropped, and a burst of writes that it
+// has begun is completed with beats that write nothing. stop_i stays high until idle_o is.
 //
 // Parameters:
 //   ID_BITS, BEAT_BYTES, READ_BEATS  of the core's port, as its dynrt_core.vh has them

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The core's memory port as a Wishbone B4 manager, pipelined. A beat of the port is an access; its
-// address is that of its first byte. Accesses are answered in their order, so what the core has to
-// know of an answer waits in a FIFO. Where reads and writes both wait they take turns. CYC stays
+// address is that of its first byte. Accesses are answered in order, so the core's data about each
+// answer wait in a FIFO. If reads and writes both wait, they take turns. CYC stays
 // high while anything is in flight, but after TURN accesses it falls, so that others get the bus.
 //
-// Of an answer with ERR the core gets what ends its way through the scene (memory_filler.v), so
-// that the frame ends; the first error's address goes to the registers.
+// In place of an answer with ERR the core gets data that end its path through the scene
+// (memory_filler.v), so that the frame ends; the first error's address goes to the registers.
 //
-// While stop_i is high, the core is in reset: what comes for it is thrown away. stop_i stays high
-// until idle_o is.
+// While stop_i is high, the core is in reset: its answers are dropped. stop_i stays high until
+// idle_o is.
 //
 // Parameters:
 //   ID_BITS, BEAT_BYTES  of the core's port, as its dynrt_core.vh has them

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A picture in a memory behind a port, pixel by pixel for display_dvi in place of a bank: the unit
-// picture_reader asks for it in bursts, as many ahead as the FIFO here has room for, and the unit
+// picture_reader asks for it in bursts, as many ahead as the FIFO here has space for, and the unit
 // picture_pixels finds the pixels in the answers, which come in the order of the reads.
 //
-// A display waits for no one. Where its pixel has not come, it gets black and underrun_o stays high
-// until the display is switched off; the pixel is dropped when it comes, so that the rest of the
-// picture stays in its place. A picture that begins anew drops what is left of the one before. When
-// the display is switched off, reads are under way; their beats are dropped before it goes on.
+// A display never waits. For a missing pixel it gets black, and underrun_o stays high until the
+// display is switched off. The pixel is dropped when it comes, so that the picture does not shift.
+// When a picture begins, the rest of the one before is dropped. When the display is switched off,
+// reads are in flight; their beats are dropped before it is switched on again.
 //
 // The units are lowered with the core, for its port and its pixels (hls/units/picture_reader.h), or for
 // others, as the parameters say.
@@ -18,7 +18,7 @@
 module picture_stream #(
   parameter BEAT_BYTES = `DYNRT_CORE_MEMORY_BEAT_BYTES,   // of the port
   parameter PIXEL_BYTES = `DYNRT_CORE_MEMORY_PIXEL_BYTES, // 2 or 4
-  parameter AHEAD = 64 // bursts of 32 bytes that the FIFO has room for
+  parameter AHEAD = 64 // bursts of 32 bytes that the FIFO has space for
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,

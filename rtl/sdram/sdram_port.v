@@ -1,15 +1,14 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A memory port on a 16-bit SDR SDRAM: the logic around the unit sdram_controller, which gets a
-// request or none in every clock and says in every clock what the pins do. Reads go first; writes
-// that have waited go together. A write becomes a request for the pairs of halves that its mask
-// touches. A read sees the writes to its bytes that were taken before it, and none that came after.
-// hls/units/sdram_port.h is the native model.
+// A memory port on a 16-bit SDR SDRAM: the logic around the unit sdram_controller, which takes a
+// request or none and sets the pins in every clock. Reads go first; writes that have waited go
+// together. A write becomes a request for the pairs of halves that its mask touches. A read sees the
+// earlier writes to its bytes, and no later ones. hls/units/sdram_port.h is the native model.
 //
 // A request has a slot, which keeps a read's id or a write's data until its last word has moved. A
-// read is taken only if there is room for its beats, so that the chip's words never wait. All pins
-// are registers, each in the pin's own cell where a device has such (syn_useioff): sdram_dq_i is taken
+// read is taken only if there is space for its beats, so that the chip's words never wait. All pins
+// are registers, in the pin's own cell if the device has one (syn_useioff): sdram_dq_i is taken
 // CAS_LATENCY + 1 clocks after a command is on the pins.
 //
 // Parameters:
@@ -21,7 +20,7 @@
 //   pause_i      clocks of the pause after power-up, in pairs
 //   read_*       a read of read_last_i + 1 beats, aligned to a beat, within 32 bytes
 //   write_*      a beat to be written, aligned; a bit of the mask for each 16 bits
-//   beat_*       what was read, in any order of reads; the beats of one follow each other
+//   beat_*       data read, in any order of reads; the beats of one read follow each other
 //   sdram_*      the chip's pins; sdram_dq_float_o is high where a data pin is not driven; its clock, CKE and CS# are the board's (CKE high, CS# low)
 `default_nettype none
 

@@ -4,8 +4,8 @@
 // DotCircuit<E, M, R, N>: the sum of N products of Float<E, M, R> and one more number, as the
 // hardware has it, from bits to bits. A fused dot product with a fixed number of kept bits, after
 // Saleh and Swartzlander, "A Floating-Point Fused Dot-Product Unit" (2008): terms are aligned to
-// the largest exponent, what lies kKept bits behind it is cut off towards zero, and the sum is
-// rounded once. So N + 1 shifters, N adders and one normalisation do what took 2 N roundings.
+// the largest exponent, cut off towards zero kKept bits behind it, and the sum is
+// rounded once. So N + 1 shifters, N adders and one normalisation replace 2 N roundings.
 #pragma once
 
 #include "hls/float_circuit.h"
@@ -16,8 +16,8 @@ template <unsigned E, unsigned M, Rounding R, unsigned N>
 struct DotCircuit {
   using Number = FloatCircuit<E, M, R>;
   using Bits = typename Number::Bits;
-  /// Bits kept behind the largest exponent, that of a factor plus that of the other: 4 more than
-  /// the result has, so that what four terms lose is half of what its rounding may.
+  /// Bits kept behind the largest exponent, which is the sum of the exponents of two factors: 4
+  /// more than the result has, so that four terms lose at most half of the error of its rounding.
   static constexpr unsigned kKept = M + 4;
 
   /// a[0] b[0] + ... + a[N - 1] b[N - 1], and `addend` where `adds`.

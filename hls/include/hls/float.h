@@ -238,9 +238,9 @@ class Float {
   friend class Float;
 
   using Value = std::conditional_t<kLowered, Bits, double>;
-  /// Whether an operation in double, rounded a second time to M + 1 bits, gives what rounding once
-  /// would: to nearest it does if 53 bits are at least twice as many and two (Figueroa, "When is
-  /// double rounding innocuous?", 1995).
+  /// Whether an operation in double, rounded a second time to M + 1 bits, gives the result of a
+  /// single rounding: to nearest it does if 2 (M + 1) + 2 <= 53 (Figueroa, "When is double rounding
+  /// innocuous?", 1995).
   static constexpr bool kInDouble =
       !kLowered && R == Rounding::kNearestEven && 2 * (M + 1) + 2 <= 53;
 

@@ -20,14 +20,14 @@ enum class PortKind : std::uint8_t {
   kConfig,        ///< value that does not change
 };
 
-/// What a reader may see of a row in the clock that writes it.
+/// Whether a row may be read in the clock that writes it: a read-write collision.
 enum class Hazard : std::uint8_t {
-  kExclusive,  ///< Nothing: nobody reads it then, as one packet owns it. The RAM asserts that.
-  kTorn,       ///< A torn row, of which its lowest bit tells; its other bits are of no meaning.
+  kExclusive,  ///< Never, as one packet owns the row. The RAM asserts that.
+  kTorn,       ///< It may. The lowest bit of the row marks it; the other bits are then undefined.
 };
 
-/// Whether a RAM asks for block RAM even if it has few rows, as LUTs are what an FPGA runs out of
-/// first. Synthesis decides for the others.
+/// Whether a RAM asks for block RAM even if it has few rows, as an FPGA runs out of LUTs first.
+/// Synthesis decides for the others.
 constexpr bool asks_for_block_ram(unsigned width, unsigned rows) {
   return width >= 64 && rows >= 32;
 }

@@ -93,14 +93,14 @@ void Clocks::run() {
 
 template <class Actor>
 void Clocks::see(Actor& actor, Queue* full, std::uint64_t now) {
-  Course& course = actor.course;
-  if (full != nullptr && full == course.full) return;
+  Waiting& waiting = actor.waiting;
+  if (full != nullptr && full == waiting.full) return;
   tell(actor, now);
-  course = {.told = full == nullptr ? now + 1 : now, .full = full};
+  waiting = {.told = full == nullptr ? now + 1 : now, .full = full};
 }
 
 void Clocks::tell(const Unit& unit, std::uint64_t now) {
-  const auto [told, full] = unit.course;
+  const auto [told, full] = unit.waiting;
   if (told >= now || unit.feeds.empty()) return;
   if (full != nullptr) {
     watch_->waited(unit.number, full->number, Lack::kRoom, told, now);
@@ -112,7 +112,7 @@ void Clocks::tell(const Unit& unit, std::uint64_t now) {
 }
 
 void Clocks::tell(const Fork& fork, std::uint64_t now) {
-  const auto [told, full] = fork.course;
+  const auto [told, full] = fork.waiting;
   if (told >= now) return;
   for (const Unit* reader : fork.readers) {
     // For the other readers the fork still holds the token back.
@@ -170,8 +170,8 @@ void Clocks::number_actors() {
       if (ram.own == own) ram.tearing = number<&Clocks::tear>(ram);
     }
   };
-  // Readers see in the same clock that a row is torn. What a unit reads and writes was torn by an
-  // earlier transaction.
+  // Readers see in the same clock that a row is torn. A row that a unit reads and writes was torn
+  // by one of its earlier transactions.
   number_marks(true);
   number_units(true);
   number_marks(false);

@@ -70,8 +70,9 @@ class Clocks {
   void device(Queue* requests, Queue* answers, Queue* writes, Device& device);
 
   /// A RAM whose rows may be read in the clock that writes them, by unit `reader` in stage
-  /// `read_stage`. `logged` writes wait until `land` shows each of them to it; in the clock before,
-  /// `tear` marks the row of one, counted from the first that waits.
+  /// `read_stage`. `logged` is the number of pending writes, and `land` shows the first of them to
+  /// the reader. In the clock before, `tear(i)` marks the row of the i-th pending write as torn: a
+  /// read-write collision.
   void torn_ram(const std::string& writer, const std::string& port, const std::string& reader,
                 unsigned read_stage, std::function<std::uint64_t()> logged,
                 std::function<void(std::size_t)> tear, std::function<void()> land);
@@ -83,14 +84,14 @@ class Clocks {
   /// The clock of the transaction that a unit makes.
   std::uint64_t now() const { return now_; }
 
-  /// Clocks in which unit `name` had its tokens but an output no room.
+  /// Clocks in which unit `name` had its tokens but an output had no space.
   std::uint64_t stalls(const std::string& name) { return find(name).stalls; }
 
  private:
-  /// Those that have work in some clocks, in the order of their work within a clock: rows that are
-  /// written are seen, sinks, devices, arbiters, forks, the marks of torn rows that their writer
-  /// reads, the units that write rows which may be torn for others, these rows' marks, all other
-  /// units.
+  /// The parts that have work in some clocks, in the order of their work within a clock: written
+  /// rows become visible, sinks, devices, arbiters, forks, the marks of torn rows that their own
+  /// writer reads, the units that write rows which may be torn for other readers, the marks of
+  /// these rows, all other units.
   struct Actor {
     void (*act)(Clocks&, void* self, std::uint64_t now);
     void* self;
@@ -111,10 +112,10 @@ class Clocks {
     std::function<void()> land;
     std::deque<std::uint64_t> due = {};
   };
-  /// What the watch knows of a unit or a fork.
-  struct Course {
-    std::uint64_t told = 0;       ///< the first clock that it was not told of
-    const Queue* full = nullptr;  ///< without room since then; null: a token lacks
+  /// The wait of a unit or a fork that is not yet reported to the watch.
+  struct Waiting {
+    std::uint64_t told = 0;       ///< the first clock that is not reported
+    const Queue* full = nullptr;  ///< the queue without space since then; null: a token is missing
   };
   struct Output {
     Queue* queue;
@@ -129,19 +130,19 @@ class Clocks {
     std::function<void()> run;
     std::vector<Feed> feeds = {};
     std::vector<Output> outputs = {};
-    std::vector<Queue*> refusing = {};  ///< those of the outputs that may have no room
+    std::vector<Queue*> refusing = {};  ///< those of the outputs that may have no space
     std::vector<Ram*> rams = {};        ///< that it writes and whose rows may be torn
     bool waits_for_fork = false;        ///< a fork brings its tokens, and wakes it when it does
     std::uint64_t stalled_from = kNever;
     std::uint64_t stalls = 0;
-    Course course = {};
+    Waiting waiting = {};
   };
   struct Fork {
     std::size_t actor = 0;
     Feed feed;
     std::vector<Unit*> readers = {};
     std::vector<Queue*> branches = {};
-    Course course = {};
+    Waiting waiting = {};
   };
   struct Sink {
     std::size_t actor = 0;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The names of a top's counters: that of a channel or a unit, and what is counted of it.
+// The names of a top's counters: the name of a channel or a unit, and the count.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace hls {
 
-/// Of a channel its tokens; of a unit its transactions, and the clocks in which an output had no
-/// room for one.
+/// The tokens of a channel; the transactions of a unit, and the clocks in which one of its outputs
+/// had no space.
 enum class Counted : std::uint8_t { kTokens, kTransactions, kStalls };
 
 /// The end of such a counter's name.

@@ -104,7 +104,8 @@ class Join {
   }
 
   /// A RAM between units: one writer, a copy for each of `readers`, a container of RamRead<T, N,
-  /// L>*. One whose rows may be torn has one reader, and `torn` is the lowest field of its rows.
+  /// L>*. A RAM with read-write collisions (H = kTorn) has one reader, and the lowest field of its
+  /// rows, `torn`, marks them.
   template <Hazard H = Hazard::kExclusive, class T, unsigned N>
   void ram(const std::string& name, RamWrite<T, N>& writer, const auto& readers) {
     const Rows<T> rows(N);
@@ -223,7 +224,7 @@ class Join {
     void (*run)(void* self, std::size_t transactions);
   };
   struct Process {
-    std::string name;  ///< of its unit; empty: what stands between units
+    std::string name;  ///< of its unit; empty for parts between units
     std::uint64_t transactions;
     Run run;
   };

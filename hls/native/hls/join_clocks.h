@@ -22,13 +22,13 @@ namespace hls {
 /// that was its last.
 using SendNumbered = bool (*)(TokenQueue& jobs, std::uint64_t number, TokenQueue& numbered);
 
-/// A RAM whose rows may be read in the clock that writes them.
+/// A RAM whose rows may be read in the clock that writes them (a read-write collision).
 struct TornRam {
   const void* writer;                     ///< its port
   const void* reader;                     ///< its port
-  std::function<std::uint64_t()> logged;  ///< writes that no reader sees yet
-  std::function<void(std::size_t)> tear;  ///< marks the row of one of them as torn
-  std::function<void()> land;             ///< shows the first of them
+  std::function<std::uint64_t()> logged;  ///< the number of pending writes
+  std::function<void(std::size_t)> tear;  ///< marks the row of the i-th pending write as torn
+  std::function<void()> land;             ///< shows the first pending write to the reader
 };
 
 class JoinClocks {

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "units/units_course.h"
+#include "units/unit_activity.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,11 @@ using hls::testing::Byte;
 using Counts = std::vector<std::uint32_t>;
 
 /// A unit between two FIFOs, of whose frames four parts are wanted.
-struct Course : testing::Test {
+struct Activity : testing::Test {
   hls::Join join{hls::ModuleSchedules{{"add", {.stages = 2, .room = 4}}}};
   Add add;
   FrameWatch watch{.parts = 4};
-  Course() {
+  Activity() {
     join.unit("add", "add", add);
     join.constant(add.value, Byte(1));
     join.input("in", add.in);
@@ -28,17 +28,17 @@ struct Course : testing::Test {
   }
 };
 
-TEST_F(Course, HasWorkAndWaitsInPartsThatGrow) {
-  UnitsCourse course(join, watch);
-  course.works(0, 0);
-  course.waited(0, 0, Lack::kToken, 1, 7);
-  course.works(0, 7);
+TEST_F(Activity, HasWorkAndWaitsInPartsThatGrow) {
+  UnitActivity activity(join, watch);
+  activity.works(0, 0);
+  activity.waited(0, 0, Lack::kToken, 1, 7);
+  activity.works(0, 7);
   EXPECT_EQ(watch.part_clocks, 2u);
   EXPECT_EQ(watch.work[0], (Counts{1, 0, 0, 1}));
   ASSERT_EQ(watch.waits.size(), 1u);
   EXPECT_EQ(watch.waits[0].clocks, (Counts{1, 2, 2, 1}));
-  course.waited(0, 1, Lack::kRoom, 8, 10);
-  course.waited(0, 0, Lack::kToken, 10, 11);
+  activity.waited(0, 1, Lack::kRoom, 8, 10);
+  activity.waited(0, 0, Lack::kToken, 10, 11);
   EXPECT_EQ(watch.part_clocks, 4u);
   EXPECT_EQ(watch.work[0], (Counts{1, 1, 0, 0}));
   ASSERT_EQ(watch.waits.size(), 2u);
@@ -48,26 +48,26 @@ TEST_F(Course, HasWorkAndWaitsInPartsThatGrow) {
   EXPECT_EQ(watch.waits[1].clocks, (Counts{0, 0, 2, 0}));
 }
 
-TEST_F(Course, HasTheFillOfFifos) {
-  UnitsCourse course(join, watch);
+TEST_F(Activity, HasTheFillOfFifos) {
+  UnitActivity activity(join, watch);
   ASSERT_EQ(watch.fifos.size(), 2u);
   EXPECT_EQ(watch.fifos[0].channel, "in");
   EXPECT_EQ(watch.fifos[1].port, "add.out");
   EXPECT_EQ(watch.fifos[1].depth, 5u);
-  course.passed(1, 0, 5);
-  course.passed(1, 1, 6);
-  course.passed(1, 6, 7);  // the first is gone
+  activity.passed(1, 0, 5);
+  activity.passed(1, 1, 6);
+  activity.passed(1, 6, 7);  // the first is gone
   EXPECT_EQ(watch.fifos[1].tokens, 3u);
   EXPECT_EQ(watch.fifos[1].clocks, 6u + 6 + 2);
   EXPECT_EQ(watch.fifos[1].most, 2u);
   EXPECT_EQ(watch.fifos[0].tokens, 0u);
 }
 
-TEST_F(Course, OfAFrameBeforeIsForgotten) {
+TEST_F(Activity, OfAFrameBeforeIsForgotten) {
   {
-    UnitsCourse(join, watch).waited(0, 0, Lack::kToken, 0, 100);
+    UnitActivity(join, watch).waited(0, 0, Lack::kToken, 0, 100);
   }
-  const UnitsCourse course(join, watch);
+  const UnitActivity activity(join, watch);
   EXPECT_EQ(watch.part_clocks, 1u);
   EXPECT_TRUE(watch.waits.empty());
 }

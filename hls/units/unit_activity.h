@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The course of a frame that is watched: what each unit does in each part of it, what it waits for,
-// and how full the FIFOs between units are (units/frame_watch.h).
+// The activity of the units over the clocks of a frame that is watched: the work and the waits of
+// each unit in each part of the frame, and the fill of the FIFOs between units
+// (units/frame_watch.h).
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 
 namespace dynrt {
 
-class UnitsCourse : public hls::ClockWatch {
+class UnitActivity : public hls::ClockWatch {
  public:
   /// Watches FIFOs if parts are wanted.
-  UnitsCourse(hls::Join& join, FrameWatch& watch) : watch_(watch) {
+  UnitActivity(hls::Join& join, FrameWatch& watch) : watch_(watch) {
     watch.part_clocks = 1;
     watch.work.assign(watch.units.size(), std::vector<std::uint32_t>(watch.parts));
     watch.fifos.clear();
@@ -54,7 +55,7 @@ class UnitsCourse : public hls::ClockWatch {
     WatchedFifo& seen = watch_.fifos[fifo];
     ++seen.tokens;
     seen.clocks += to - from + 1;
-    // When this token came, those before it were still there that leave no earlier.
+    // Earlier tokens that leave at or after `from` were still there when this token came.
     std::deque<std::uint64_t>& leaving = leaving_[fifo];
     while (!leaving.empty() && leaving.front() < from) leaving.pop_front();
     leaving.push_back(to);
@@ -62,7 +63,7 @@ class UnitsCourse : public hls::ClockWatch {
   }
 
  private:
-  /// Nobody knows how long a frame takes before it is over.
+  /// The parts grow with the frame, as its length is not known before its end.
   std::uint64_t part_of(std::uint64_t clock) {
     while (clock / watch_.part_clocks >= watch_.parts) double_parts();
     return clock / watch_.part_clocks;
@@ -78,7 +79,7 @@ class UnitsCourse : public hls::ClockWatch {
     watch_.part_clocks *= 2;
   }
 
-  /// In the list of waits.
+  /// The place of a wait in the list of waits.
   std::size_t place_of(std::size_t unit, std::size_t fifo, bool for_room) {
     for (const std::size_t place : waits_of_[unit]) {
       const WatchedWait& wait = watch_.waits[place];
