@@ -89,7 +89,7 @@ module axi4_rules #(
   `RULE(manager_quiet_after_reset, MANAGER_ASSUMED, !in_reset_q || !(arvalid || awvalid || wvalid))
   `RULE(subordinate_quiet_after_reset, SUBORDINATE_ASSUMED, !in_reset_q || !(rvalid || bvalid))
 
-  // A3.2.1: a valid stays high until its ready, and what goes with it stays as it is.
+  // A3.2.1: a valid stays high until its ready, and its payload does not change.
   localparam A = ID_BITS + ADDRESS_BITS + 25;
   wire [A-1:0] ar = {arid, araddr, arlen, arsize, arburst, arlock, arcache, arprot, arqos};
   wire [A-1:0] aw = {awid, awaddr, awlen, awsize, awburst, awlock, awcache, awprot, awqos};

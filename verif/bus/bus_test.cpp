@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cores behind AXI4 and Wishbone render what their models render, however the memory behaves; and
-// an error of the memory ends in a register, not in a frame that never ends.
+// Cores behind AXI4 and Wishbone render the pictures of their models, however the memory behaves;
+// and an error of the memory ends in a register, not in a frame that never ends.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

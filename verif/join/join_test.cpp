@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Verilog top that comes from a join: its text, and that it does what the native join does.
+// The Verilog top that is made from a join: its text, and that it behaves as the native join does.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <verilated.h>

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a memory port has to answer: an array holds what was written, and each beat is compared with
-// what its read has to bring.
+// Checks the answers of a memory port: an array holds the data written, and each beat is compared
+// with the data that its read must return.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ class PortScoreboard {
   explicit PortScoreboard(std::vector<std::uint16_t> halves) : halves_(std::move(halves)) {}
 
   void set_half(std::uint32_t half, std::uint16_t value) { halves_[half] = value; }
-  /// A read is taken: it brings what the memory holds now.
+  /// A read is taken: it must return the present contents of the memory.
   void expect(const Read& read) {
     for (unsigned beat = 0; beat <= read.last; ++beat) {
       Beat b{.id = read.id, .data = {}, .last = beat == read.last};

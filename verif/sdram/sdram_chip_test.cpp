@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chip's model itself: it stores what is written, and each rule of the data sheet is broken
+// The chip's model itself: it stores the data written, and each rule of the data sheet is broken
 // once, in every speed grade, by one clock where the rule is a time.
 #include "sdram/sdram_chip.h"
 

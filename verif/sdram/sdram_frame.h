@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame of a native core with an SDRAM behind its port: what it is asked for, what it gives.
+// A frame of a native core with an SDRAM behind its port: its settings and its results.
 #pragma once
 
 #include <memory>

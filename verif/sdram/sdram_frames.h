@@ -20,7 +20,7 @@ struct SdramRequest {
   std::string schedules;
 };
 
-/// Throws UserError for what the core cannot render, and for schedules that cannot be read.
+/// Throws UserError for a scene that the core cannot render, and for schedules that cannot be read.
 SdramFrame frame_of(const SdramRequest& request);
 
 }  // namespace dynrt::verif

@@ -56,7 +56,7 @@ class SdramMemory final : public hls::Device {
   using Beats = std::shared_ptr<hls::Fifo<PortBeat<C>>>;
   using Writes = std::shared_ptr<hls::Fifo<PortWrite<C>>>;
 
-  /// The scene is in the chip by the back door. `use` gets what the frame asked.
+  /// The scene is written straight into the chip's model. `use` gets the requests of the frame.
   SdramMemory(Reads reads, Beats beats, Writes writes, Banks<C>& banks, const SdramSystem& system,
               unsigned stages, SdramBench<kBytes>& bench, SdramUse& use)
       : reads_(std::move(reads)),

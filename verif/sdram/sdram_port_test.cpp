@@ -38,7 +38,7 @@ using Variants =
 
 constexpr unsigned kPauseTurns = 40;
 
-/// Both in step; what differs first is told.
+/// Runs both in step and reports the first difference.
 template <class T>
 class Pair {
  public:

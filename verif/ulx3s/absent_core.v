@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// In place of a core, for what a board does without one: it takes nothing and asks for nothing.
+// Takes the place of a core in tests of a board alone: it takes nothing and asks for nothing.
 `default_nettype none
 `include "dynrt_core.vh"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The program dynrt with a board at a serial device, which is a pseudo-terminal: a frame of the
-// whole simulated ULX3S, and what the program says of a board that is not as it should be. Each of
+// whole simulated ULX3S, and the messages of the program about a faulty board. Each of
 // its errors is one sentence, and leaves the device to the next program.
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A Verilated ulx3s_board with what stands at its pins.
+// A Verilated ulx3s_board with models of the parts at its pins.
 #pragma once
 
 #include <verilated.h>

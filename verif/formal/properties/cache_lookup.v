@@ -9,7 +9,7 @@
   localparam REPLY = $bits(reply_data_o);
   localparam ROW = $bits(lines_data_i);
 
-  wire [REPLY-1:0] replied = WRITTEN_DATA(reply);  // what is written to the FIFO of the replies
+  wire [REPLY-1:0] replied = WRITTEN_DATA(reply);  // written to the FIFO of the replies
   wire replied_valid = WRITTEN_VALID(reply);
   wire missed_valid = WRITTEN_VALID(miss);  // whether something is written to that of the misses
   (* anyconst *) wire [511:0] frame;

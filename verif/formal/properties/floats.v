@@ -48,7 +48,7 @@
         (low || distance(given, 0) <= distance(exact, 0));
   endfunction
 
-  wire [3*N:0] written = WRITTEN_DATA(results);  // what is written to the FIFO of the results
+  wire [3*N:0] written = WRITTEN_DATA(results);  // written to the FIFO of the results
   wire written_valid = WRITTEN_VALID(results);
   reg was_reset_q = 1'b0;
   reg [2*N*LATENCY-1:0] operands_q;

@@ -5,7 +5,7 @@
   localparam [ADDR_WIDTH:0] CLEARING = {1'b1, {ADDR_WIDTH{1'b0}}};  // clocks
   (* anyconst *) wire [ADDR_WIDTH-1:0] watched;
   reg [ADDR_WIDTH:0] resets_q = 0;  // clocks of the reset, as far as they count
-  reg [WIDTH-1:0] value_q = 0;  // what the row should hold
+  reg [WIDTH-1:0] value_q = 0;  // the value that the row should have
   reg cleared_q = 1'b0;
   reg released_q = 1'b0;
 
