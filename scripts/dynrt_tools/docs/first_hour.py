@@ -15,8 +15,9 @@ from dynrt_tools import project
 PAGE = project.ROOT / "docs" / "first-hour.md"
 README = project.ROOT / "README.md"
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
-INDENTED = re.compile(r" {4,}((?:scripts|build/release)/.*)")
-INLINE = re.compile(r"`((?:dynrt|scripts/[\w-]+)(?: [^`]*)?)`")
+README_COMMAND = re.compile(
+    r"^ {4,}((?:scripts|build/release)/.*)|`((?:dynrt|scripts/[\w-]+)(?:\s[^`]*)?)`", re.MULTILINE
+)
 FAILS = "# fails"
 
 # A tetrahedron, for the reader's own model.
@@ -50,7 +51,7 @@ SMALL = {
         "build/release/dynrt view YOUR.ply --size 32x24 --export view.html"
     ),
     "dynrt render SCENE --board ulx3s": (
-        "build/release/dynrt render blocks --board ulx3s --size 16x8"
+        "build/release/dynrt render blocks --board ulx3s --size 8x4"
     ),
 }
 # Commands that these tests leave to others, and to which.
@@ -102,10 +103,9 @@ def commands(text: str) -> list[Command]:
 def readme_commands(text: str) -> list[Command]:
     """The commands of the README, in lines of their own and within sentences, without remarks."""
     found = []
-    for number, line in enumerate(text.splitlines(), 1):
-        block = INDENTED.fullmatch(line)
-        words = [re.split(" {2,}#", block[1])[0]] if block else INLINE.findall(line)
-        found += [Command(number, word, README) for word in words]
+    for match in README_COMMAND.finditer(text):
+        words = re.split(" {2,}#", match[1])[0] if match[1] else " ".join(match[2].split())
+        found.append(Command(text.count("\n", 0, match.start()) + 1, words, README))
     return found
 
 

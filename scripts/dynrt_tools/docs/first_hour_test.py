@@ -31,7 +31,7 @@ class Reading(unittest.TestCase):
     PAGE = (
         "text\n\n```sh\none    # fails\ntwo\n```\n\n```text\nnot this\n```\n\n```sh\ncat a\n```\n"
     )
-    README = "    scripts/a b   # why\n1. Do `dynrt c` or `scripts/d`:\n\n    scripts   folder\n"
+    README = "    scripts/a b   # why\n1. Do `dynrt c` or `scripts/d\ne`:\n\n    scripts   folder\n"
 
     def test_commands_and_their_lines(self) -> None:
         found = first_hour.commands(self.PAGE)
@@ -44,7 +44,7 @@ class Reading(unittest.TestCase):
         found = first_hour.readme_commands(self.README)
         self.assertEqual(
             [(c.line, c.text) for c in found],
-            [(1, "scripts/a b"), (2, "dynrt c"), (2, "scripts/d")],
+            [(1, "scripts/a b"), (2, "dynrt c"), (2, "scripts/d e")],
         )
 
     def test_a_command_that_ends_otherwise_is_named(self) -> None:
