@@ -3,6 +3,7 @@
 """What the values of keys ask of another key."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -60,7 +61,7 @@ class AtMost:
 class Rule:
     """With these values of keys, another key must have one of some values."""
 
-    given: dict[str, object]
+    given: Mapping[str, object]
     other: str
     wants: Wants
     why: str

@@ -48,9 +48,9 @@ def figures_of(frame: Json) -> Json:
         RATE: frames_per_second(clocks, THESIS_MHZ),
         "busiest unit": unit,
         "use": 100 * units[unit]["utilisation"],
-        "port use": 100 * units["memory_gather"]["utilisation"]
-        if "memory_gather" in units
-        else None,
+        "port use": (
+            100 * units["memory_gather"]["utilisation"] if "memory_gather" in units else None
+        ),
         **{f"{n} use": 100 * units[u]["utilisation"] for n, u in UNITS.items() if u in units},
         **{f"{n} cache hits": 100 * cache["hit_rate"] for n, cache in caches.items()},
         "bytes read per ray": memory["bytes_read"] / count,

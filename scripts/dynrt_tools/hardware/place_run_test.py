@@ -70,9 +70,10 @@ class Placed(StandIn):
 
     def test_the_clock_of_a_core_is_stated(self) -> None:
         for mode, stated in (("no route:2", 0), ("", 1)):
-            with mock.patch.object(rtl_files, "CORE", "sum"), mock.patch.object(
-                placed_clocks, "write"
-            ) as write:
+            with (
+                mock.patch.object(rtl_files, "CORE", "sum"),
+                mock.patch.object(placed_clocks, "write") as write,
+            ):
                 self.called(mode, clock=True)
             self.assertEqual(write.call_count, stated, mode)
         (clock,) = write.call_args.args
