@@ -75,8 +75,7 @@ def values_along(axis: Json, configuration: Json) -> list[int]:
     rules = [
         rule
         for rule in configs.load_configurations().RULES
-        if rule.other == along
-        and all(configuration.get(key) == value for key, value in rule.given.items())
+        if rule.other == along and all(configuration.get(k) == v for k, v in rule.given.items())
     ]
     return [
         value

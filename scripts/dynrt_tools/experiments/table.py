@@ -7,6 +7,7 @@ import pathlib
 from dataclasses import dataclass
 
 from dynrt_tools.build import configs
+from dynrt_tools.experiments.jobs import stated
 from dynrt_tools.project import ROOT, Failed, Json, read_json
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "table"
@@ -92,7 +93,7 @@ def like_listed(like: str, own: Json) -> Json:
     }
 
 
-def variant(name: str, stated: Json, base: Json | None, named: str) -> Variant:
+def variant(name: str, entry: Json, base: Json | None, named: str) -> Variant:
     """What an entry of a list states; the configuration `base` is `named` so. Without one it is
     like a listed configuration."""
     generate = configs.load_configurations()
@@ -106,8 +107,8 @@ def variant(name: str, stated: Json, base: Json | None, named: str) -> Variant:
         raise generate.Refused(
             f"variant '{name}': is no name; write letters, digits, _, - and ., a letter first"
         )
-    settings = {key: value for key, value in stated.items() if key in SETTINGS}
-    differs = {key: value for key, value in stated.items() if key not in SETTINGS}
+    settings = {key: value for key, value in entry.items() if key in SETTINGS}
+    differs = {key: value for key, value in entry.items() if key not in SETTINGS}
     own = {key: value for key, value in differs.items() if key != "like"}
     try:
         like = keys_of(differs["like"]) if "like" in differs else {}
@@ -127,16 +128,20 @@ def variants(
     """Those of a list, in its order; `path` is where it stands. With `leave_out` those are left out
     whose keys the base's exclude; else they are refused."""
     generate = configs.load_configurations()
-    found = {}
+    found: dict[str, Variant] = {}
     try:
         if not isinstance(listed, dict) or not all(isinstance(v, dict) for v in listed.values()):
             raise generate.Refused("must be an object of variants by name, each an object of keys")
-        for name, stated in listed.items():
+        for name, entry in listed.items():
             try:
-                found[name] = variant(name, stated, base, named)
+                one = variant(name, entry, base, named)
             except generate.Refused:
-                if not leave_out:
-                    raise
+                if leave_out:
+                    continue
+                raise
+            known = [stated(other.configuration) for other in found.values()]
+            if not leave_out or stated(one.configuration) not in known:
+                found[name] = one
     except generate.Refused as error:
         raise Failed(error.at(path)) from error
     return found
@@ -148,9 +153,9 @@ def of_experiment(name: str) -> dict[str, Variant]:
     listed = dict(table["variants"])
     for core in read_json(ROOT / table["cores"]) if "cores" in table else []:
         listed[core["name"]] = {k: v for k, v in core.items() if k not in ("name", "about")}
-    for one, stated in listed.items():
+    for one, entry in listed.items():
         program = {"program": table["programs"] + one} if "programs" in table else {}
-        listed[one] = {**table.get("settings", {}), **program, **stated}
+        listed[one] = {**table.get("settings", {}), **program, **entry}
     base = next(iter(configs.load_configurations().listed()))
     return variants(path, listed, None, base)
 
