@@ -14,8 +14,9 @@ import sys
 from collections.abc import Mapping
 
 from dynrt_tools.experiments import page
-from dynrt_tools.experiments.command import MISTAKE, Parser, add_error_arguments, guarded, measured
+from dynrt_tools.experiments.command import guarded, measured
 from dynrt_tools.experiments.error import clock_ns, measures_of
+from dynrt_tools.experiments.flags import MISTAKE, Parser, add_error_arguments
 from dynrt_tools.experiments.rows import aligned
 from dynrt_tools.hardware import devices
 from dynrt_tools.project import Failed, Json

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 
 from dynrt_tools.hardware import devices
 from dynrt_tools.experiments import choose
-from dynrt_tools.experiments.command import Parser, cores
+from dynrt_tools.experiments.flags import Parser, cores
 
 OWN = ("--config", "--json")  # which `dynrt needs` has too, in another sense
 
