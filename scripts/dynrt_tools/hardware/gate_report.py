@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/results/gates.md: the counts of scripts/gates with the thesis's tables 7.3 to 7.5."""
 
-# pylint: disable=line-too-long  # the lines of the page
+import pathlib
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,6 +30,8 @@ from dynrt_tools.hardware.gate_units import (
 TABULATED = (*PACKET_UNITS, *CACHE_UNITS)
 NOT_COUNTED = ("(ray generation)", "(shading)", "(counters)")
 BASE = (PACKETS, LINES)
+THESIS_GATES = 2807671
+PAGE = pathlib.Path(__file__).with_name("gates_page.md")
 
 CoreCounts = dict[str, gate_rule.Count]  # by instance
 Point = tuple[int, int]  # packets and lines
@@ -121,11 +123,12 @@ def kinds(counts: Counts) -> dict[Place, str]:
     return found
 
 
-def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
-    yield "| " + " | ".join(head) + " |"
-    yield "|---|" + "---:|" * (len(head) - 1)
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    lines = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     for row in rows:
-        yield "| " + " | ".join(f"{c:,}" if isinstance(c, int) else str(c) for c in row) + " |"
+        cells = (f"{c:,}" if isinstance(c, int) else str(c) for c in row)
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
 
 
 def per(memories: Memories, kind: str, following: dict[Place, str], number: int) -> int:
@@ -236,142 +239,55 @@ def memories_table(counts: Counts) -> Iterator[Sequence[object]]:
 
 
 def document(counts: Counts) -> str:
+    """The page: gates_page.md with its tables and figures."""
     base = counts[BASE]
     fits, fit_rows = fitted(counts)
     here, memory = all_gates(base)
-    there = 2807671
-    others = {n: total(base, [n]) for n in NOT_COUNTED}
     cells: Counter[str] = sum((c.cells for c in base.values()), Counter())
-    head = (
-        "unit",
-        "logic gates, thesis",
-        "ours",
-        "bits per packet, thesis",
-        "ours",
-        "memory bits, thesis",
-        "ours",
+    others = {name: total(base, [name]) for name in NOT_COUNTED}
+    rule = (
+        ("full adder", gate_rule.FULL_ADDER),
+        ("D flip-flop", gate_rule.FLIP_FLOP),
+        ("D flip-flop with clock enable", gate_rule.FLIP_FLOP_ENABLED),
+        ("4-input LUT, worst case", gate_rule.LUT["LUT4"]),
+        ("3-input LUT, worst case", gate_rule.LUT["LUT3"]),
+        ("memory bit", gate_rule.MEMORY_BIT),
+        ("18-bit multiplier", gate_rule.MULTIPLIER),
     )
-    lines = [
-        "# Gates by the thesis's rule",
-        "",
-        "Written by `scripts/gates`; a test holds it against the checked-in Verilog. Thesis: Sven "
-        "Woop,",
-        '"A Ray Tracing Hardware Architecture for Dynamic Scenes", 2004, chapter 7.',
-        "",
-        "## The rule (table 7.2)",
-        "",
-        *table(
-            ("unit", "gates"),
-            (
-                ("full adder", gate_rule.FULL_ADDER),
-                ("D flip-flop", gate_rule.FLIP_FLOP),
-                ("D flip-flop with clock enable", gate_rule.FLIP_FLOP_ENABLED),
-                ("4-input LUT, worst case", gate_rule.LUT["LUT4"]),
-                ("3-input LUT, worst case", gate_rule.LUT["LUT3"]),
-                ("memory bit", gate_rule.MEMORY_BIT),
-                ("18-bit multiplier", gate_rule.MULTIPLIER),
-            ),
+    return PAGE.read_text(encoding="utf-8").format(
+        rule=table(("unit", "gates"), rule),
+        complexity=table(
+            ("unit", "add", "multiply", "divide", "compare", "memory, kB"), complexity(base)
         ),
-        "",
-        *[f"{line}" for line in RULE],
-        "",
-        "## Floating-point units of one pipeline (table 7.3)",
-        "",
-        "Each entry is thesis / ours. The last column has kB, with a dual-port bit as two bits.",
-        "",
-        *table(("unit", "add", "multiply", "divide", "compare", "memory, kB"), complexity(base)),
-        "",
-        f"## Unit by unit, {PACKETS} packets (table 7.4)",
-        "",
-        *table(head, units_table(counts, PACKET_UNITS, "packet", PACKETS)),
-        "",
-        *(f"- `{name}`: {note}." for name, note in NOTES.items()),
-        "- Our bits per packet count the memories whose rows grow with the packets. Memory bits "
-        "count all memories.",
-        "- The thesis's table and our sums leave these out: "
-        + "; ".join(
-            f"{n.strip('()')} {logic:,} gates and {amount:,} bits"
-            for n, (logic, amount) in others.items()
-        )
-        + ".",
-        "",
-        f"## Memory interface and caches, {LINES} lines (table 7.5)",
-        "",
-        *table(
-            [h.replace("packet", "line") for h in head],
-            units_table(counts, CACHE_UNITS, "line", LINES),
+        packets=PACKETS,
+        units=table(headings("packet"), units_table(counts, PACKET_UNITS, "packet", PACKETS)),
+        notes="\n".join(f"- `{name}`: {note}." for name, note in NOTES.items()),
+        left_out="; ".join(
+            f"{name.strip('()')} {logic:,} gates and {amount:,} bits"
+            for name, (logic, amount) in others.items()
         ),
-        "",
-        f"Total gates: thesis {there:,}, ours {here:,} "
-        f"({100 * here / there:.0f} %), of them {4 * memory:,} in memories.",
-        "",
-        "The logic of the whole core consists of "
-        + ", ".join(f"{n:,} x {kind}" for kind, n in sorted(cells.items()))
-        + ".",
-        "",
-        "## By packets and lines",
-        "",
-        "    thesis   " + formula("C_RTC(P, CL)   ", (487020, 56028, 996)),
-        "    ours     " + formula("C_RTC(P, CL)   ", fits[0]),
-        "    thesis   " + formula("Bits_RTC(P, CL)", (0, 14007, 249)),
-        "    ours     " + formula("Bits_RTC(P, CL)", fits[1]),
-        "",
-        "Our formulas are a fit by least squares over the cores of this table, each lowered and "
-        "counted. The",
-        "thesis's C_RTC leaves out the 17,803 logic gates of its table 7.5.",
-        "",
-        *table(
-            (
-                "P",
-                "CL",
-                "gates",
-                "fitted",
-                "off",
-                "bits",
-                "fitted",
-                "off",
-                "gates, thesis",
-                "bits, thesis",
-            ),
+        lines=LINES,
+        caches=table(headings("line"), units_table(counts, CACHE_UNITS, "line", LINES)),
+        there=THESIS_GATES,
+        here=here,
+        share=100 * here / THESIS_GATES,
+        in_memories=4 * memory,
+        cells=", ".join(f"{n:,} x {kind}" for kind, n in sorted(cells.items())),
+        gates_formula=formula("C_RTC(P, CL)   ", fits[0]),
+        bits_formula=formula("Bits_RTC(P, CL)", fits[1]),
+        gates_of_thesis=formula("C_RTC(P, CL)   ", (487020, 56028, 996)),
+        bits_of_thesis=formula("Bits_RTC(P, CL)", (0, 14007, 249)),
+        fits=table(
+            (*"P,CL,gates,fitted,off,bits,fitted,off".split(","), "gates, thesis", "bits, thesis"),
             fit_rows,
         ),
-        "",
-        *FIT,
-        "",
-        "## The bits of each memory",
-        "",
-        "The column *bits* has the rows of a packet (or a line), times the bits of a row, times the ports. It is for 32 packets and 512 lines.",
-        "",
-        *table(("unit", "memory", "bits", "all bits"), memories_table(counts)),
-        "",
-        *WHY,
-        "",
-    ]
-    return "\n".join(lines)
+        memories=table(("unit", "memory", "bits", "all bits"), memories_table(counts)),
+    )
 
 
-RULE = (
-    "The table leaves some things open. We count them in this way: a place of a carry chain is a full adder,",
-    "together with a LUT of one or two inputs that feeds it alone. A LUT of two inputs counts as a LUT of three,",
-    "an inverter as one gate. A flip-flop with a synchronous set or reset counts as one with an enable, and a",
-    "dual-port bit as two memory bits. As in the thesis, gates that address memories do not count. The netlist is",
-    "Yosys's for Virtex-II. Each unit has the FIFO depths of the core, and memories count as the source has them.",
-)
-FIT = (
-    "The fit is not exact, because every token holds a packet number, so widths grow with log2 P, and because",
-    "rows of RAM are powers of two.",
-)
-WHY = (
-    "Why a packet takes so many bits:",
-    "",
-    "- The far stack of a ray has 64 rows a packet: 32 for each level, of which 31 are used, so that the address",
-    "  is level, packet and depth, without an adder. A second port doubles it. The thesis's 2,352 bits are 24 x",
-    "  (62 + 2 x 18): a single-port stack and 18 dual-port words.",
-    "- Most FIFOs on a loop of packets hold all packets, so that no loop can deadlock and no pipeline needs an",
-    "  enable. The thesis's tables have no FIFOs.",
-    "- The core keeps rays twice: by axis for each slice, and as vectors for `send_packet`. It keeps a packet's",
-    "  matrix once; the thesis perhaps keeps it for both levels (1,152 bits are 12 x 24, two levels, two ports).",
-    "- A line of a cache is its data, its address and, in ours, a bit that says whether it is valid: one bit more",
-    "  than in the thesis. Our lines are dual-port, since lookups go on while lines arrive. The thesis counts its",
-    "  lines once.",
-)
+def headings(of: str) -> tuple[str, ...]:
+    """Of tables 7.4 and 7.5."""
+    return (
+        *("unit", "logic gates, thesis", "ours", f"bits per {of}, thesis", "ours"),
+        *("memory bits, thesis", "ours"),
+    )
