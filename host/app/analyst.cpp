@@ -35,13 +35,13 @@ CostMeter::CostMeter(SceneFile& file, const AnalysedFrames& frames) : file_(file
 
 FrameCosts CostMeter::count(const std::string& configuration, const std::string& schedules,
                             unsigned packets, unsigned lines) {
-  FrameOptions options = frame_.options(file_.arguments().size);
+  FrameOptions options = frame_.options(file_.arguments());
   options.packets = packets;
   options.lines = lines;
   // A new board, as the caches of another hold what its last frame left there.
   const auto board = open_board({"model", configuration, "", schedules}, options);
   if (configuration_ != configuration) {
-    prepared_ = prepare(file_, options.width, options.height, &board->core());
+    prepared_ = prepare(file_, &board->core());
     configuration_ = configuration;
   }
   const Frame frame = render_on(*board, options, *prepared_);

@@ -30,18 +30,9 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   add_scene_flags(command, *this);
 }
 
-CameraOverrides SceneArguments::camera() const {
-  using Given = std::optional<std::string> SceneArguments::*;
-  const auto vector = [this](Given value) -> std::optional<glm::dvec3> {
-    if (!(this->*value)) return std::nullopt;
-    return parse_vector(name_of(value), *(this->*value));
-  };
-  CameraOverrides flags;
-  flags.position = vector(&SceneArguments::position);
-  flags.look_at = vector(&SceneArguments::look_at);
-  flags.up = vector(&SceneArguments::up);
-  flags.field_of_view = field_of_view;
-  return flags;
+FrameOptions SceneArguments::frame_options() const {
+  check_size(width, height);
+  return {.width = width, .height = height};
 }
 
 void MemoryArguments::add_to(CLI::App& command) {
@@ -90,10 +81,8 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
   add_json_flag(command, json);
 }
 
-FrameOptions FrameArguments::options(const std::string& size) const {
-  FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(size);
-  check_size(options.width, options.height);
+FrameOptions FrameArguments::options(const SceneArguments& scene) const {
+  FrameOptions options = scene.frame_options();
   options.packets = packets;
   options.lines = lines;
   options.reflections = reflections;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,16 +17,24 @@
 
 namespace dynrt::host {
 
-/// The scene and the camera.
+/// A material that reflects this part of the light, 0 to 1.
+struct Mirror {
+  std::string material;
+  double part = kMirrorShare;
+};
+
+/// The scene, the picture's size, the camera and the light.
 struct SceneArguments {
   std::string scene;
-  std::optional<std::string> position, look_at, up;
-  std::optional<double> field_of_view;
-  std::string size = "512x384";
-  std::vector<std::string> lights, mirrors;
+  unsigned width = 512, height = 384;  ///< in pixels
+  CameraOverrides camera;
+  std::vector<PointLight> lights;  ///< beside the scene's own
+  std::vector<Mirror> mirrors;
+  std::map<std::string, std::vector<std::string>> given;  ///< flags, and their values as written
 
   void add_to(CLI::App& command, bool scene_required);
-  CameraOverrides camera() const;
+  /// Of a frame of that size. Throws FrameRefused for one that no frame has.
+  FrameOptions frame_options() const;
 };
 
 /// Without a pixel or an interrupt, after which a frame is given up.
@@ -58,7 +67,7 @@ struct FrameArguments {
   void add_to(CLI::App& command, const std::string& default_out,
               const std::string& about_out = "image to write, .png or .exr");
   /// Checks everything but the outputs that can be checked before a board is open.
-  FrameOptions options(const std::string& size) const;
+  FrameOptions options(const SceneArguments& scene) const;
   /// Throws UserError for a timeout on a board that has no clock.
   void check_timeout(const std::string& board) const;
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "hls/json_text.h"
 #include "host/app/arguments.h"
@@ -27,34 +28,23 @@ struct Arguments {
   std::string board = "rtl";
 };
 
-Frame frame_of(const BoardRequest& request, const FrameOptions& options, const Prepared& prepared) {
-  const auto board = open_board(request, options);
-  return render_on(*board, options, prepared);
-}
-
-Prepared prepared_for(const BoardRequest& request, SceneFile& scene, const FrameOptions& options) {
-  const CoreInfo info = open_board(request, options)->core();
-  return prepare(scene, options.width, options.height, &info);
-}
-
 int run(const Arguments& arguments) {
-  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  const FrameOptions options = arguments.frame.options(arguments.scene);
   const std::string& out = arguments.frame.out;
-  if (!out.empty()) check_image_path(out);
-  const Output outputs[] = {{"--out", out}, {"--json", arguments.frame.json}};
+  const Output outputs[] = {{"--out", out, true}, {"--json", arguments.frame.json}};
   check_outputs(outputs);
-  // Unknown configurations and the like come before the work.
+  const bool special = arguments.specialise.specialise;
   SceneFile scene = arguments.specialise.file(arguments.scene);
   const ChosenCore core = arguments.specialise.choose(scene, arguments.frame, arguments.board);
-  const BoardRequest of_rtl{arguments.board, core.configuration, ""};
-  const auto board = open_board(of_rtl, options);
+  const auto [board, prepared] =
+      on_board({arguments.board, core.configuration, ""}, options, scene);
   const std::string same = core.configuration.empty() ? board->core().name : core.configuration;
-  const BoardRequest of_model{"model", arguments.specialise.specialise ? core.general : same, ""};
-  const Prepared prepared = prepare(scene, options.width, options.height, &board->core());
+  // Unknown configurations and the like come before the work.
+  const auto model_board = open_board({"model", special ? core.general : same, ""}, options);
   const Frame rtl = render_on(*board, options, prepared);
-  const Frame model =
-      frame_of(of_model, options,
-               arguments.specialise.specialise ? prepared_for(of_model, scene, options) : prepared);
+  const auto of_model =
+      special ? std::optional(prepare(scene, &model_board->core())) : std::nullopt;
+  const Frame model = render_on(*model_board, options, of_model ? *of_model : prepared);
   const Comparison comparison = compare(rtl, model);
 
   if (!out.empty()) write_image(out, rtl);

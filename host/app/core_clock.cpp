@@ -71,8 +71,8 @@ std::string CoreClock::text() const {
   if (placed == nullptr) return fmt::format("clock       {:g} MHz, as --clock says\n", mhz);
   if (own) {
     return fmt::format(
-        "clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} MHz), on {}\n", mhz,
-        placed->configuration, placed->where(), placed->seeds, placed->lowest_mhz,
+        "clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} MHz), on {}\n",
+        mhz, placed->configuration, placed->where(), placed->seeds, placed->lowest_mhz,
         placed->highest_mhz, placed->date);
   }
   const bool same_name = std::ranges::find(placed_clocks(), configuration,

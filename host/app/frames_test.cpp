@@ -33,11 +33,11 @@ TEST(Frames, EveryFrameOnOneBoardIsTheModels) {
   for (const Step& step : kSteps) {
     SceneArguments arguments;
     arguments.scene = step.scene;
-    arguments.field_of_view = step.field_of_view;
-    const Prepared prepared = prepare(arguments, kWidth, kHeight, &model->core());
-    FrameOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
+    arguments.width = kWidth;
+    arguments.height = kHeight;
+    arguments.camera.field_of_view = step.field_of_view;
+    const Prepared prepared = prepare(arguments, &model->core());
+    FrameOptions options = arguments.frame_options();
     options.packets = step.packets;
     options.lines = step.lines;
     options.timeout = 1'000'000;
@@ -56,13 +56,13 @@ TEST(Frames, EveryFrameOnOneBoardIsTheModels) {
 TEST(Frames, AWalkOnTheVerilogIsTheModels) {
   SceneArguments arguments;
   arguments.scene = "blocks";
-  FrameOptions options;
-  options.width = kWidth;
-  options.height = kHeight;
+  arguments.width = kWidth;
+  arguments.height = kHeight;
+  FrameOptions options = arguments.frame_options();
   options.timeout = 1'000'000;
   const auto rtl_board = make_board(configurations(), {"rtl", "thesis", ""});
   const auto model_board = make_board(configurations(), {"model", "thesis", ""});
-  Prepared for_rtl = prepare(arguments, kWidth, kHeight, &rtl_board->core());
+  Prepared for_rtl = prepare(arguments, &rtl_board->core());
   Prepared for_model = for_rtl;
   const WalkPlan plan(for_rtl.scene, 3, {}, {});
   Walker rtl(*rtl_board, options, for_rtl, {}, plan);

@@ -84,9 +84,7 @@ nlohmann::ordered_json registers_json(const CoreInfo& core, const FrameConfig& f
 }
 
 int run(const Arguments& arguments) {
-  FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(arguments.scene.size);
-  check_size(options.width, options.height);
+  FrameOptions options = arguments.scene.frame_options();
   options.packets = arguments.packets;
   options.lines = arguments.lines;
   const Output outputs[] = {{"--json", arguments.json},
@@ -94,8 +92,7 @@ int run(const Arguments& arguments) {
                             {"--registers", arguments.registers}};
   check_outputs(outputs);
   const std::optional<CoreInfo> core = core_of(arguments);
-  const Prepared prepared =
-      prepare(arguments.scene, options.width, options.height, core ? &*core : nullptr);
+  const Prepared prepared = prepare(arguments.scene, core ? &*core : nullptr);
   if (!arguments.memory.empty()) write_memory(arguments.memory, prepared);
   if (!arguments.registers.empty()) {
     const FrameConfig frame = frame_config(*core, options, prepared.frame);

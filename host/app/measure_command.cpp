@@ -74,9 +74,7 @@ std::string text_of(const nlohmann::ordered_json& measures) {
 }
 
 int run(const Arguments& arguments) {
-  FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(arguments.scene.size);
-  check_size(options.width, options.height);
+  FrameOptions options = arguments.scene.frame_options();
   options.reflections = arguments.reflections;
   const auto path = [&](const char* name) {
     return arguments.out.empty() ? "" : (std::filesystem::path(arguments.out) / name).string();
@@ -85,7 +83,7 @@ int run(const Arguments& arguments) {
   check_outputs(outputs);
   const auto board =
       open_board({"model", arguments.configuration, "", arguments.schedule}, options);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->core());
+  const Prepared prepared = prepare(arguments.scene, &board->core());
   const Frame frame = render_on(*board, options, prepared);
   const Expected expected = expected_of(frame, options, prepared);
 

@@ -30,10 +30,10 @@ TEST_P(MeasuredFrames, AreNearlyTrue) {
   const auto board = make_board(configurations(), {"model", c.configuration, ""});
   SceneArguments arguments;
   arguments.scene = c.scene;
-  const Prepared prepared = prepare(arguments, kWidth, kHeight, &board->core());
-  FrameOptions options;
-  options.width = kWidth;
-  options.height = kHeight;
+  arguments.width = kWidth;
+  arguments.height = kHeight;
+  const Prepared prepared = prepare(arguments, &board->core());
+  FrameOptions options = arguments.frame_options();
   if (c.reflections > 0) options.reflections = c.reflections;
   const Frame frame = render_on(*board, options, prepared);
 

@@ -6,14 +6,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
-#include "host/app/light_flags.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
+#include "host/error.h"
 #include "host/layout/limits.h"
 #include "host/specialise/within.h"
 
@@ -21,41 +21,36 @@ namespace dynrt::host {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-Json json_of(const std::string& name, const Tree& tree) {
-  return {{"name", name},
-          {"inner_nodes", tree.stats.inner_nodes},
-          {"leaves", tree.stats.leaves},
-          {"empty_children", tree.stats.empty_children},
-          {"list_entries", tree.stats.items},
-          {"longest_list", tree.stats.longest_list},
-          {"depth", tree.stats.depth},
-          {"cut", tree.cut},
-          {"expected_steps", tree.stats.expected_steps},
-          {"expected_leaves", tree.stats.expected_leaves},
-          {"expected_items", tree.stats.expected_items}};
+/// The names of this build's configurations that have some, after "--config ".
+std::string with(unsigned CoreInfo::* some) {
+  const auto names =
+      names_of(configurations(), [&](const Configuration& c) { return c.core().*some > 0; });
+  return names.empty() ? "no configuration of this build has them"
+                       : fmt::format("take --config {}", fmt::join(names, " or --config "));
 }
 
-int deepest(const SceneTrees& trees) {
-  int depth = 0;
-  for (const Tree& tree : trees.objects) depth = std::max(depth, tree.stats.depth);
-  return depth;
+/// The core of which the user may ask for rays and primitives. For a specialised core it is the
+/// general one, as lay_out() checks the limits of the specialised core.
+CoreInfo asked_of(const CoreInfo& core) {
+  CoreInfo asked = core;
+  if (core.is_specialised() && core.general) {
+    asked.lights = core.general->lights;
+    asked.reflections = core.general->reflections;
+    asked.primitives = core.general->primitives;
+  }
+  return asked;
 }
 
-/// " (110 triangles of zero area, 3 points and lines left out)", or nothing.
-std::string left_out(const ImportCounts& dropped) {
-  std::vector<std::string> parts;
-  if (dropped.zero_area_triangles > 0) {
-    parts.push_back(counted(dropped.zero_area_triangles, "triangle") + " of zero area");
+/// The flags, where `asked` has rays for them.
+void check_light(const SceneArguments& flags, const CoreInfo& asked, const CoreInfo& core) {
+  if (!flags.lights.empty() && asked.lights == 0) {
+    refuse("--light: configuration {} has no light rays; {}", asked.name, with(&CoreInfo::lights));
   }
-  if (dropped.points_and_lines > 0) {
-    const std::size_t count = dropped.points_and_lines;
-    parts.push_back(grouped(count) + (count == 1 ? " point or line" : " points and lines"));
+  if (flags.mirrors.empty()) return;
+  require_reflections(asked, "--mirror");
+  if (core.is_specialised() && core.reflections == 0) {
+    refuse_excess({"reflections", "1", "0"}, core, "--mirror " + flags.mirrors.front().material);
   }
-  return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
 }
 
 /// The configurations that have all primitives of the scene.
@@ -66,16 +61,36 @@ std::string with_primitives_of(const Scene& scene) {
   return fmt::format("{}", fmt::join(with, " or "));
 }
 
-/// The rays and primitives that the user may ask for. For a specialised core they are those of the
-/// general one, as lay_out() checks the limits of the specialised core.
-CoreInfo allowed_by(const CoreInfo& core) {
-  CoreInfo allowed = core;
-  if (core.is_specialised() && core.general) {
-    allowed.lights = core.general->lights;
-    allowed.reflections = core.general->reflections;
-    allowed.primitives = core.general->primitives;
+void set_mirror(Scene& scene, const Mirror& mirror) {
+  std::set<std::string> names;
+  for (Material& material : scene.materials) {
+    if (material.name == mirror.material) material.mirror = mirror.part;
+    names.insert(material.name);
   }
-  return allowed;
+  if (names.contains(mirror.material)) return;
+  refuse("scene '{}' has no material '{}'; its materials are {}", scene.name, mirror.material,
+         fmt::format("{}", fmt::join(names, ", ")));
+}
+
+void note_unused_light(Scene& scene, const CoreInfo& core) {
+  const std::size_t lights = scene.lights.size();
+  if (lights > 0 && core.lights == 0) {
+    scene.notes.push_back(fmt::format(
+        "the scene has {}, but configuration {} has no light rays and lights it from the eye; {}",
+        counted(lights, "light"), core.name, with(&CoreInfo::lights)));
+  } else if (lights > core.lights) {
+    scene.notes.push_back(
+        fmt::format("the scene has {} lights, but configuration {} uses only the first {}", lights,
+                    core.name, core.lights));
+  }
+  const auto mirrors =
+      std::ranges::count_if(scene.materials, [](const Material& m) { return m.mirror > 0; });
+  if (mirrors > 0 && core.reflections == 0) {
+    scene.notes.push_back(
+        fmt::format("the scene has {}, but configuration {} has no reflected rays; {}",
+                    counted(static_cast<std::uint64_t>(mirrors), "mirror"), core.name,
+                    with(&CoreInfo::reflections)));
+  }
 }
 
 /// The core for figures of a scene without a board: the shipped number format, every primitive and
@@ -89,24 +104,24 @@ CoreInfo any_core() {
 
 }  // namespace
 
-Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core,
-                 const TreeOptions& trees) {
-  const SceneArguments& arguments = file.arguments();
-  const std::optional<CoreInfo> allowed =
-      core == nullptr ? std::nullopt : std::optional(allowed_by(*core));
-  const LightOverrides light(arguments.lights, arguments.mirrors, allowed ? &*allowed : nullptr);
-  if (!arguments.mirrors.empty() && core != nullptr && core->is_specialised() &&
-      core->reflections == 0) {
-    refuse_excess({"reflections", "1", "0"}, *core, "--mirror " + arguments.mirrors.front());
-  }
-  const CameraOverrides flags = arguments.camera();
+void require_reflections(const CoreInfo& core, const std::string& flag) {
+  if (core.reflections > 0) return;
+  refuse("{}: configuration {} has no reflected rays; {}", flag, core.name,
+         with(&CoreInfo::reflections));
+}
+
+Prepared prepare(SceneFile& file, const CoreInfo* core, const TreeOptions& trees) {
+  const SceneArguments& flags = file.arguments();
+  const auto asked = core == nullptr ? std::nullopt : std::optional(asked_of(*core));
+  if (asked) check_light(flags, *asked, *core);
   Scene scene = file.take();
-  if (allowed) check_primitives(scene, *allowed, with_primitives_of(scene));
-  View view{.width = width, .height = height};
-  view.camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
-  light.add_to(scene);
-  if (core != nullptr)
-    std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
+  if (asked) check_primitives(scene, *asked, with_primitives_of(scene));
+  View view{.width = flags.width, .height = flags.height};
+  view.camera = choose_camera(scene, flags.camera, static_cast<int>(flags.width),
+                              static_cast<int>(flags.height));
+  scene.lights.insert(scene.lights.end(), flags.lights.begin(), flags.lights.end());
+  for (const Mirror& mirror : flags.mirrors) set_mirror(scene, mirror);
+  if (core != nullptr) note_unused_light(scene, *core);
   const Progress progress("building the trees");
   Prepared prepared(
       lay_out(std::move(scene), view, core == nullptr ? any_core() : *core, {.trees = trees}));
@@ -115,132 +130,9 @@ Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInf
   return prepared;
 }
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
-                 const CoreInfo* core, const TreeOptions& trees) {
+Prepared prepare(const SceneArguments& arguments, const CoreInfo* core, const TreeOptions& trees) {
   SceneFile file(arguments);
-  return prepare(file, width, height, core, trees);
-}
-
-std::size_t Prepared::triangles() const {
-  std::size_t count = 0;
-  for (const Mesh& object : scene.objects) count += object.triangles.size();
-  return count;
-}
-
-std::size_t Prepared::rectangles() const {
-  std::size_t count = 0;
-  for (const Mesh& object : scene.objects) count += object.rectangles.size();
-  return count;
-}
-
-std::size_t Prepared::spheres() const {
-  std::size_t count = 0;
-  for (const Mesh& object : scene.objects) count += object.ellipsoids.size();
-  return count;
-}
-
-std::size_t Prepared::instanced_triangles() const {
-  std::size_t count = 0;
-  for (const Instance& instance : scene.instances) {
-    count += scene.objects[instance.object].triangles.size();
-  }
-  return count;
-}
-
-Json Prepared::json() const {
-  Json objects_json = Json::array();
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    Json object = json_of(scene.objects[i].name, trees.objects[i]);
-    object["triangles"] = scene.objects[i].triangles.size();
-    object["rectangles"] = scene.objects[i].rectangles.size();
-    object["spheres"] = scene.objects[i].ellipsoids.size();
-    objects_json.push_back(std::move(object));
-  }
-  const Box box = bounds(scene);
-  const MemoryUse use = memory_use(frame);
-  const TreeSize ends = address_ends(core());
-  return {{"name", scene.name},
-          {"triangles", triangles()},
-          {"rectangles", rectangles()},
-          {"spheres", spheres()},
-          {"instanced_triangles", instanced_triangles()},
-          {"instances", scene.instances.size()},
-          {"materials", scene.materials.size()},
-          {"dropped_zero_area_triangles", scene.dropped.zero_area_triangles},
-          {"dropped_points_and_lines", scene.dropped.points_and_lines},
-          {"notes", notes()},
-          {"low", json_of(space.outside(box.low))},
-          {"high", json_of(space.outside(box.high))},
-          {"space",
-           {{"centre", json_of(space.centre)},
-            {"unit", space.unit},
-            {"headroom_up", headroom.up},
-            {"headroom_down", headroom.down}}},
-          {"camera",
-           {{"position", json_of(space.outside(view.camera.position))},
-            {"right", json_of(view.camera.right)},
-            {"up", json_of(view.camera.up)},
-            {"forward", json_of(view.camera.forward)}}},
-          {"objects", objects_json},
-          {"instance_tree", json_of("instances", trees.instances)},
-          {"memory",
-           {{"nodes", use.nodes},
-            {"node_limit", ends.nodes},
-            {"list_entries", use.list_entries},
-            {"list_entry_limit", ends.items},
-            {"matrices", use.matrices},
-            {"matrix_limit", kMaxMatrices}}},
-          {"load_seconds", load_seconds},
-          {"tree_seconds", tree_seconds},
-          {"trees_may_be_kept", trees_may_be_kept}};
-}
-
-std::string Prepared::text() const {
-  const MemoryUse use = memory_use(frame);
-  std::string others;
-  if (rectangles() > 0) others += ", " + counted(rectangles(), "rectangle");
-  if (spheres() > 0) others += ", " + counted(spheres(), "sphere");
-  std::string text = fmt::format(
-      "scene       {}: {}{} in {}, {}", scene.name, counted(triangles(), "triangle"), others,
-      counted(scene.objects.size(), "object"), counted(scene.instances.size(), "instance"));
-  if (instanced_triangles() != triangles()) {
-    text += fmt::format(", {} in all", counted(instanced_triangles(), "triangle"));
-  }
-  text += left_out(scene.dropped);
-  text += fmt::format(
-      "\ntrees       {} nodes, {} list entries, {} levels of instances and {} of triangles, "
-      "built {}in {:.2f} s\n",
-      grouped(use.nodes), grouped(use.list_entries), trees.instances.stats.depth, deepest(trees),
-      trees_may_be_kept ? "or taken from an earlier run " : "", tree_seconds);
-  text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
-                      use.tree_megabytes(), use.matrix_megabytes());
-  text += fmt::format(
-      "space       origin ({:g}, {:g}, {:g}), unit {:g}; the core's numbers still hold the scene "
-      "if it is 2^{} times larger or 2^{} times smaller\n",
-      space.centre.x, space.centre.y, space.centre.z, space.unit, headroom.up, headroom.down);
-  for (const std::string& note : notes()) text += fmt::format("note        {}\n", note);
-  return text;
-}
-
-std::vector<std::string> Prepared::notes() const {
-  std::vector<std::string> all = scene.notes;
-  all.insert(all.end(), trees.notes.begin(), trees.notes.end());
-  return all;
-}
-
-void Prepared::note_no_hit() {
-  const Box box = bounds(scene);
-  const double aspect = static_cast<double>(view.width) / view.height;
-  const Camera camera = host::frame(box, {0, 1, 0}, field_of_view_of(view.camera), aspect);
-  const glm::dvec3 low = space.outside(box.low);
-  const glm::dvec3 high = space.outside(box.high);
-  const glm::dvec3 from = space.outside(camera.position);
-  const glm::dvec3 to = (low + high) / 2.0;
-  scene.notes.push_back(fmt::format(
-      "no ray hits anything; the scene lies between ({:.4g}, {:.4g}, {:.4g}) and ({:.4g}, {:.4g}, "
-      "{:.4g}), and this camera sees all of it: --position {:.4g},{:.4g},{:.4g} --look-at "
-      "{:.4g},{:.4g},{:.4g}",
-      low.x, low.y, low.z, high.x, high.y, high.z, from.x, from.y, from.z, to.x, to.y, to.z));
+  return prepare(file, core, trees);
 }
 
 }  // namespace dynrt::host

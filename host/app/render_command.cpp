@@ -4,20 +4,18 @@
 // dynrt render: one board, one image.
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "hls/json_text.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
-#include "host/app/show.h"
 #include "host/app/specialised.h"
 #include "host/app/text.h"
-#include "host/app/trace_file.h"
 #include "host/error.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
@@ -54,78 +52,84 @@ std::optional<Pixel> Arguments::pixel_in(const FrameOptions& options) const {
         "--pixel {}: its hit record goes to the file of --json; name one and leave --no-hits out",
         pixel);
   }
-  const auto comma = pixel.find(',');
-  Pixel at;
-  const std::string_view text(pixel);
-  if (comma == text.npos || !parse(text.substr(0, comma), at.x) ||
-      !parse(text.substr(comma + 1), at.y) || at.x >= options.width || at.y >= options.height) {
+  std::array<unsigned, 2> at{};
+  if (!parse_list(pixel, ',', at) || at[0] >= options.width || at[1] >= options.height) {
     refuse("--pixel {}: write the numbers of a pixel of this image, from 0,0 to {},{}", pixel,
            options.width - 1, options.height - 1);
   }
-  return at;
+  return Pixel{at[0], at[1]};
 }
 
-/// Waveforms of a frame that never ended, or in which an assertion failed, are kept: they show why.
-template <class Render>
-Frame traced(TraceFile& trace, Render&& render) {
-  try {
-    Frame frame = render();
-    trace.keep();
-    return frame;
-  } catch (const TimeoutError&) {
-    trace.keep();
-    throw;
-  } catch (const std::logic_error&) {
-    trace.keep();
-    throw;
+/// The waveforms of a frame, which an error removes. Those of a frame that never ended, or in which
+/// an assertion failed, are kept: they show why. Without --trace it does nothing.
+class TraceFile {
+ public:
+  explicit TraceFile(const std::string& path) {
+    if (path.empty()) return;
+    waves_.emplace(path);
+    hierarchy_.emplace(path + ".hier");
   }
-}
+
+  Frame render(Board& board, const FrameOptions& options, const MemoryImage& image) {
+    try {
+      Frame frame = render_on(board, options, image);
+      keep();
+      return frame;
+    } catch (const TimeoutError&) {
+      keep();
+      throw;
+    } catch (const std::logic_error&) {
+      keep();
+      throw;
+    }
+  }
+
+ private:
+  void keep() {
+    if (waves_) waves_->keep();
+  }
+
+  std::optional<UnfinishedFile> waves_;
+  std::optional<UnfinishedFile> hierarchy_;  ///< temporary file until the waveforms are complete
+};
 
 int run(const Arguments& arguments) {
-  FrameOptions options = arguments.frame.options(arguments.scene.size);
+  FrameOptions options = arguments.frame.options(arguments.scene);
   options.hits = !arguments.no_hits;
   arguments.frame.check_timeout(arguments.board);
   const std::optional<Pixel> pixel = arguments.pixel_in(options);
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
-  check_image_path(out);
-  const Output outputs[] = {{"--out", out},
+  const bool shows = !arguments.scan_out.empty();
+  if (shows && is_at_link(arguments.board)) {
+    refuse(
+        "board {} has a display of its own, which --scan-out does not read; leave out --scan-out, "
+        "or take board rtl",
+        arguments.board);
+  }
+  const Output outputs[] = {{"--out", out, true},
                             {"--json", arguments.frame.json},
                             {"--trace", arguments.trace},
-                            {"--scan-out", arguments.scan_out}};
-  if (!arguments.scan_out.empty()) {
-    if (is_at_link(arguments.board)) {
-      refuse(
-          "board {} has a display of its own, which --scan-out does not read; leave out "
-          "--scan-out, or take board rtl",
-          arguments.board);
-    }
-    check_image_path(arguments.scan_out);
-  }
+                            {"--scan-out", arguments.scan_out, true}};
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
   SpecialiseWishes wishes;
-  if (!arguments.scan_out.empty()) wishes.keep.emplace_back("scan_out");
+  if (shows) wishes.keep.emplace_back("scan_out");
   SceneFile scene = arguments.specialise.file(arguments.scene);
-  auto [board, prepared] = prepare_on(
-      arguments.specialise,
-      arguments.specialise.choose(scene, arguments.frame, arguments.board, wishes),
-      [&](const std::string& configuration) {
-        auto opened = open_board(
-            {arguments.board, configuration, arguments.trace, arguments.schedule}, options);
-        if (!arguments.scan_out.empty()) opened->check_display(options.width, options.height);
-        return opened;
-      },
-      [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
-  const Frame frame =
-      traced(trace, [&, &on = *board, &what = prepared] { return render_on(on, options, what); });
+  const ChosenCore core =
+      arguments.specialise.choose(scene, arguments.frame, arguments.board, wishes);
+  auto [board, prepared] = prepare_on(arguments.specialise, core,
+                                      {.board = arguments.board,
+                                       .trace = arguments.trace,
+                                       .schedule = arguments.schedule,
+                                       .shows = shows},
+                                      options, scene);
+  const Frame frame = trace.render(*board, options, prepared);
 
   if (options.hits && frame.hit_count() == 0) prepared.note_no_hit();
   write_image(out, frame);
   const CoreClock clock = arguments.frame.clock.clock_of(frame.core, frame.clock_hz);
   std::optional<Shown> shown;
-  if (!arguments.scan_out.empty()) {
-    shown = show(*board, frame, clock.mhz, arguments.scan_out);
-  }
+  if (shows) shown = show(*board, frame, clock.mhz, arguments.scan_out);
   const FrameFigures figures = figures_of(frame, clock.hz());
   if (!arguments.frame.json.empty()) {
     nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};

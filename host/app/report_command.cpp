@@ -28,11 +28,11 @@ struct Arguments {
   std::string json;
 };
 
-using Study = WorkReport (*)(const Prepared& prepared, unsigned width, unsigned height);
+using Study = WorkReport (*)(const Prepared& prepared);
 
 int run(const Arguments& arguments, Study study) {
   if (study == truth_report) require_truth();
-  const auto [width, height] = parse_size(arguments.scene.size);
+  const auto [width, height] = std::pair(arguments.scene.width, arguments.scene.height);
   for (const unsigned side : {width, height}) {
     if (side == 0 || side % 2 != 0 || side > kMaxCountedSide) {
       refuse(
@@ -42,7 +42,7 @@ int run(const Arguments& arguments, Study study) {
     }
   }
   if (!arguments.json.empty()) check_output_path(arguments.json);
-  const WorkReport report = study(prepare(arguments.scene, width, height), width, height);
+  const WorkReport report = study(prepare(arguments.scene));
   if (!arguments.json.empty()) write_text(arguments.json, hls::json_text(report.json));
   say(report.text);
   return kDone;
@@ -96,7 +96,8 @@ Command add_report_command(CLI::App& program) {
   for (const Subcommand& subcommand : kSubcommands) {
     const auto arguments = std::make_shared<Arguments>();
     arguments->scene.scene = "conference";
-    arguments->scene.size = "1024x768";
+    arguments->scene.width = 1024;
+    arguments->scene.height = 768;
     CLI::App* const app = command->add_subcommand(subcommand.name, subcommand.about);
     arguments->scene.add_to(*app, false);
     app->get_option("--size")

@@ -55,16 +55,14 @@ std::string general_configuration(SceneFile& file) {
 
 SceneAnalysis analyse(SceneFile& file, const std::string& configuration,
                       const AnalysedFrames& frames) {
-  FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(file.arguments().size);
-  check_size(options.width, options.height);
+  FrameOptions options = file.arguments().frame_options();
   options.reflections = frames.reflections;
   frames.memory.put_into(options);
   SceneAnalysis analysis;
   analysis.general = configuration.empty() ? general_configuration(file) : configuration;
   const auto board = open_board({"model", analysis.general, ""}, options);
   const CoreInfo& core = board->core();
-  Prepared prepared = prepare(file, options.width, options.height, &core);
+  Prepared prepared = prepare(file, &core);
   analysis.content = fingerprint(prepared.scene);
   analysis.needs = needs_over_frames(prepared, frames);
   analysis.decisions = decide(analysis.needs, core,

@@ -55,22 +55,4 @@ struct SpecialiseFlags {
   const CLI::App* command_ = nullptr;
 };
 
-/// Opens the board of a configuration with `open` and prepares the scene for it with `prepare`.
-/// Takes the general configuration if the scene exceeds the specialised one and the flags allow it.
-/// Returns both results.
-template <class Open, class Prepare>
-auto prepare_on(const SpecialiseFlags& flags, const ChosenCore& core, Open&& open,
-                Prepare&& prepare) {
-  auto board = open(core.configuration);
-  try {
-    auto prepared = prepare(board->core());
-    return std::pair(std::move(board), std::move(prepared));
-  } catch (const Exceeded& over) {
-    flags.refuse_unless_general(over);
-  }
-  board = open(core.general);
-  auto prepared = prepare(board->core());
-  return std::pair(std::move(board), std::move(prepared));
-}
-
 }  // namespace dynrt::host

@@ -4,13 +4,13 @@
 // Words and numbers between the command line and the program.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 namespace dynrt::host {
 
@@ -22,12 +22,19 @@ bool parse(std::string_view text, N& number) {
   return error == std::errc{} && rest == end;
 }
 
+/// Parses numbers with this character between them; false if they are others or not so many.
+template <class N, std::size_t kCount>
+bool parse_list(std::string_view text, char separator, std::array<N, kCount>& numbers) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::size_t end = i + 1 < kCount ? text.find(separator) : text.size();
+    if (end == text.npos || !parse(text.substr(0, end), numbers[i])) return false;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
 /// Prints on stdout; throws UserError where that cannot be written.
 void say(const std::string& text);
-/// "512x384" as two numbers; throws UserError.
-std::pair<unsigned, unsigned> parse_size(const std::string& text);
-/// "1,2.5,-3" as a vector; throws UserError that names the flag.
-glm::dvec3 parse_vector(const std::string& flag, const std::string& text);
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 /// "1 object", "2 objects".

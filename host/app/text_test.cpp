@@ -7,12 +7,17 @@
 namespace dynrt::host {
 namespace {
 
-TEST(Text, Sizes) {
-  EXPECT_EQ(parse_size("512x384"), std::pair(512u, 384u));
-  EXPECT_EQ(parse_size("0x1"), std::pair(0u, 1u));
+TEST(Text, ListsOfNumbers) {
+  std::array<unsigned, 2> size{};
+  EXPECT_TRUE(parse_list("512x384", 'x', size));
+  EXPECT_EQ(size, (std::array{512u, 384u}));
+  for (const char* other : {"", "512", "512x", "512x384x", "512x384x3", "x384", "512,384"}) {
+    EXPECT_FALSE(parse_list(other, 'x', size)) << other;
+  }
+  std::array<double, 3> vector{};
+  EXPECT_TRUE(parse_list("1,-2.5,3e2", ',', vector));
+  EXPECT_EQ(vector, (std::array{1.0, -2.5, 300.0}));
 }
-
-TEST(Text, Vectors) { EXPECT_EQ(parse_vector("--up", "1,-2.5,3e2"), glm::dvec3(1, -2.5, 300)); }
 
 TEST(Text, GroupsOfThreeDigits) {
   EXPECT_EQ(grouped(0), "0");

@@ -24,12 +24,13 @@ std::string line(const std::string& name, std::uint64_t count, std::uint64_t of)
 
 void require_truth() {}  // it is here
 
-WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned height) {
+WorkReport truth_report(const Prepared& prepared) {
   std::vector<TruthRay> rays;
+  const auto& [camera, width, height] = prepared.view;
   rays.reserve(std::size_t{width} * height);
   for (unsigned y = 0; y < height; ++y) {
     for (unsigned x = 0; x < width; ++x) {
-      rays.push_back(primary_ray(prepared.view.camera, width, height, x, y));
+      rays.push_back(primary_ray(camera, width, height, x, y));
     }
   }
   const Truth truth(prepared.scene);

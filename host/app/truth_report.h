@@ -13,6 +13,6 @@ namespace dynrt::host {
 /// Throws UserError in a program that was built without CGAL and Embree (DYNRT_PROGRAM_ONLY),
 /// before a scene is read.
 void require_truth();
-WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned height);
+WorkReport truth_report(const Prepared& prepared);
 
 }  // namespace dynrt::host

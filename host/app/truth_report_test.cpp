@@ -19,7 +19,9 @@ using testing::HasSubstr;
 WorkReport report_of(const std::string& scene) {
   SceneArguments arguments;
   arguments.scene = scene;
-  return truth_report(prepare(arguments, 96, 72), 96, 72);
+  arguments.width = 96;
+  arguments.height = 72;
+  return truth_report(prepare(arguments));
 }
 
 TEST(TruthReport, ExplainsEveryDifferenceFromEmbree) {

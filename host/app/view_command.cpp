@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,6 +22,7 @@
 #include "host/app/command.h"
 #include "host/app/kept_trees.h"
 #include "host/app/progress.h"
+#include "host/app/scene_flags.h"
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
@@ -31,7 +34,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr unsigned kLastPort = 65535;
-constexpr char kRecordedPicture[] = "256x192";  ///< of --export, if no size is given
+constexpr unsigned kRecordedWidth = 256, kRecordedHeight = 192;  ///< of --export without --size
 constexpr unsigned kWidestRtl = 16;  ///< bits of a mantissa whose words the SRAM of board rtl holds
 
 struct Arguments {
@@ -139,8 +142,10 @@ class Schedules {
 
 SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) {
   SceneArguments scene = arguments.scene;
-  scene.lights = choices.lights;
-  scene.mirrors = choices.mirrors;
+  scene.lights.clear();
+  scene.mirrors.clear();
+  std::ranges::transform(choices.lights, std::back_inserter(scene.lights), parse_light);
+  std::ranges::transform(choices.mirrors, std::back_inserter(scene.mirrors), parse_mirror);
   return scene;
 }
 
@@ -148,11 +153,16 @@ ViewServices services_of(const Arguments& arguments) {
   ViewServices services;
   services.scene = arguments.scene.scene;
   services.choices = arguments.choices;
-  services.choices.lights = arguments.scene.lights;
-  services.choices.mirrors = arguments.scene.mirrors;
-  std::tie(services.width, services.height) = parse_size(arguments.scene.size);
-  check_size(services.width, services.height);
-  services.camera = arguments.scene.camera();
+  const auto given = [&](const char* flag) {
+    const auto found = arguments.scene.given.find(flag);
+    return found == arguments.scene.given.end() ? std::vector<std::string>() : found->second;
+  };
+  services.choices.lights = given("--light");
+  services.choices.mirrors = given("--mirror");
+  const FrameOptions options = arguments.scene.frame_options();
+  services.width = options.width;
+  services.height = options.height;
+  services.camera = arguments.scene.camera;
   // Configurations that are loaded are kept in a table that one thread at a time may use.
   const auto loading = std::make_shared<std::mutex>();
   const auto schedules = std::make_shared<Schedules>();
@@ -174,9 +184,8 @@ ViewServices services_of(const Arguments& arguments) {
     make_ready(configurations(), configuration_of(choices), tell);
   };
   services.offers = offers();
-  services.prepare = [&arguments, width = services.width, height = services.height](
-                         const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
-    return prepare(scene_of(arguments, choices), width, height, &core, kept_trees());
+  services.prepare = [&arguments](const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
+    return prepare(scene_of(arguments, choices), &core, kept_trees());
   };
   services.clock = [&](const CoreInfo& core) { return arguments.clock.clock_of(core).json(); };
   return services;
@@ -236,9 +245,11 @@ Command add_view_command(CLI::App& program) {
       ->option_text("FILE.html");
   command->add_flag("--no-browser", arguments->no_browser,
                     "print the page's address and open no browser");
-  return {command, [arguments, command] {
-            const bool sized = command->get_option("--size")->count() > 0;
-            if (!arguments->exported.empty() && !sized) arguments->scene.size = kRecordedPicture;
+  return {command, [arguments] {
+            if (!arguments->exported.empty() && !arguments->scene.given.contains("--size")) {
+              arguments->scene.width = kRecordedWidth;
+              arguments->scene.height = kRecordedHeight;
+            }
             return run(*arguments);
           }};
 }

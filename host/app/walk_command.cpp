@@ -139,9 +139,9 @@ class GeneralWalk {
 
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
-      board_ = open_board({arguments_.board, core_.general, "", arguments_.schedule}, options_);
-      prepared_ = prepare(scene_, options_.width, options_.height, &board_->core(), kept_trees());
-      walker_.emplace(*board_, options_, *prepared_, arguments_.scene.camera(), plan_);
+      on_ = on_board({arguments_.board, core_.general, "", arguments_.schedule}, options_, scene_,
+                     kept_trees());
+      walker_.emplace(*on_->board, options_, on_->prepared, arguments_.scene.camera, plan_);
     }
     Walker::Result result = walker_->render_frame(frame, progress);
     result.record.general = true;
@@ -154,13 +154,12 @@ class GeneralWalk {
   const FrameOptions& options_;
   const ChosenCore& core_;
   const WalkPlan& plan_;
-  std::unique_ptr<Board> board_;
-  std::optional<Prepared> prepared_;
+  std::optional<OnBoard> on_;
   std::optional<Walker> walker_;
 };
 
 int run(const Arguments& arguments) {
-  FrameOptions options = arguments.frame.options(arguments.scene.size);
+  FrameOptions options = arguments.frame.options(arguments.scene);
   options.hits = arguments.hits;
   arguments.frame.check_timeout(arguments.board);
   const Place place = place_of(arguments);
@@ -169,14 +168,10 @@ int run(const Arguments& arguments) {
   const ChosenCore core =
       arguments.specialise.choose(scene, arguments.frame, arguments.board,
                                   {.frames = arguments.frames, .span = arguments.span});
-  auto [board, prepared] = prepare_on(
-      arguments.specialise, core,
-      [&](const std::string& configuration) {
-        return open_board({arguments.board, configuration, "", arguments.schedule}, options);
-      },
-      [&](const CoreInfo& info) {
-        return prepare(scene, options.width, options.height, &info, kept_trees());
-      });
+  auto [board, prepared] =
+      prepare_on(arguments.specialise, core,
+                 {.board = arguments.board, .trace = "", .schedule = arguments.schedule}, options,
+                 scene, kept_trees());
   const CoreClock clock = arguments.frame.clock.clock_of(board->core(), board->clock_hz());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene, *board), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
@@ -189,7 +184,7 @@ int run(const Arguments& arguments) {
   nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};
   say(prepared.text() + walk_header());
 
-  Walker walker(*board, options, prepared, arguments.scene.camera(), plan);
+  Walker walker(*board, options, prepared, arguments.scene.camera, plan);
   GeneralWalk general(arguments, scene, options, core, plan);
   std::vector<WalkRecord> records;
   std::vector<std::string> pictures;

@@ -53,7 +53,9 @@ class Walks : public testing::Test {
     SceneArguments arguments;
     arguments.scene = scene.empty() ? path("s.json") : scene;
     const CoreInfo core = small_core();
-    return prepare(arguments, kWidth, kHeight, &core);
+    arguments.width = kWidth;
+    arguments.height = kHeight;
+    return prepare(arguments, &core);
   }
   std::string path(const std::string& name) const { return folder_.path(name); }
   std::vector<std::string> files(const std::string& name) const { return names_in(folder_ / name); }

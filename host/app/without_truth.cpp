@@ -35,6 +35,6 @@ Command add_stress_command(CLI::App& program) {
   return refused_command(program, "stress",
                          "run hard and extreme cases: not in this program, see README.md");
 }
-WorkReport truth_report(const Prepared&, unsigned, unsigned) { refuse(kNoTruth); }
+WorkReport truth_report(const Prepared&) { refuse(kNoTruth); }
 
 }  // namespace dynrt::host

@@ -38,11 +38,11 @@ Json json_of(const WorkCounts& work) {
 /// Traces a scene again and again at one size and sees to it that the picture stays the same.
 class WorkCounter {
  public:
-  WorkCounter(const Prepared& prepared, unsigned width, unsigned height, unsigned runs)
+  WorkCounter(const Prepared& prepared, unsigned runs)
       : plain{prepared.trees.instances, {}},
         prepared_(prepared),
-        width_(width),
-        height_(height),
+        width_(prepared.view.width),
+        height_(prepared.view.height),
         progress_(fmt::format("counting the work of {}", prepared.scene.name), runs) {}
 
   WorkCounts count(const TopLevel& top, const TraceOptions& options) {
@@ -104,7 +104,7 @@ constexpr char kPacketsAbout[] = "per packet of 2x2; bound: clocks of the busies
 
 }  // namespace
 
-WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned height) {
+WorkReport overlap_report(const Prepared& prepared) {
   std::vector<Aabb> boxes;
   for (const Tree& tree : prepared.trees.objects) boxes.push_back(tree.box);
   const TopLevel hierarchy = hierarchical_top_level(prepared.trees.instances);
@@ -114,7 +114,7 @@ WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned hei
   TraceOptions last_objects = none;
   last_objects.object_slots = TraceOptions{}.object_slots;
   last_objects.keeps_latest = true;
-  WorkCounter counter(prepared, width, height, 10);
+  WorkCounter counter(prepared, 10);
   const Method methods[] = {
       {"none", "none", &counter.plain, none, {295.4, 6.4, 57.6}},
       {"hierarchical tree", "hierarchical", &hierarchy, none, {70.3, 2.0, 10.9}},
@@ -160,13 +160,13 @@ WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned hei
           counter.json("overlap", std::move(rows))};
 }
 
-WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned height) {
+WorkReport mailbox_report(const Prepared& prepared) {
   struct Slots {
     unsigned objects, triangles;
   };
   constexpr Slots kSlots[] = {{0, 0},   {1, 1},   {2, 2}, {4, 4}, {8, 8},
                               {16, 16}, {32, 32}, {8, 0}, {0, 8}};
-  WorkCounter counter(prepared, width, height, std::size(kSlots) + 1);
+  WorkCounter counter(prepared, std::size(kSlots) + 1);
   TraceOptions options;
   options.object_slots = options.triangle_slots = kUnlimited;
   const WorkCounts all = counter.count(counter.plain, options);
@@ -199,7 +199,7 @@ WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned hei
           counter.json("mailbox", std::move(rows))};
 }
 
-WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned height) {
+WorkReport clipping_report(const Prepared& prepared) {
   struct Way {
     const char* name;
     const char* key;
@@ -214,7 +214,7 @@ WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned he
       {"the scene and objects", "both", kAlways, kAlways},
       {"both, where the camera is outside", "from_outside", kFromOutside, kFromOutside},
       {"the same, object clipping free", "objects_free", kFromOutside, kFromOutside, true}};
-  WorkCounter counter(prepared, width, height, std::size(kWays));
+  WorkCounter counter(prepared, std::size(kWays));
   std::string text = fmt::format("{:<34}{:>9}{:>9}{:>9}{:>11}{:>9}\n", "clipping to the boxes of",
                                  "top", "inside", "objects", "triangles", "bound");
   Json rows = Json::array();

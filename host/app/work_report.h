@@ -18,13 +18,11 @@ struct WorkReport {
   nlohmann::ordered_json json;
 };
 
-using WorkReporter = WorkReport (*)(const Prepared&, unsigned width, unsigned height);
-
 /// Four ways to treat overlapping objects, and Table 4.1, whose figures are for single rays.
-WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned height);
+WorkReport overlap_report(const Prepared& prepared);
 /// From no slots to 32, and the repeated transformations that more slots would avoid.
-WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned height);
+WorkReport mailbox_report(const Prepared& prepared);
 /// With and without the six clipping nodes of the scene and of objects.
-WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned height);
+WorkReport clipping_report(const Prepared& prepared);
 
 }  // namespace dynrt::host

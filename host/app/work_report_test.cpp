@@ -48,12 +48,12 @@ TEST_P(CountedWork, IsThatOfTheCore) {
   constexpr double kTolerance = 0.01;
   SceneArguments arguments;
   arguments.scene = GetParam();
-  FrameOptions options;
-  options.width = kWidth;
-  options.height = kHeight;
+  arguments.width = kWidth;
+  arguments.height = kHeight;
+  FrameOptions options = arguments.frame_options();
   options.timeout = 10'000'000;
   const auto board = open_board({"model", "thesis", ""}, options);
-  const Prepared prepared = prepare(arguments, kWidth, kHeight, &board->core());
+  const Prepared prepared = prepare(arguments, &board->core());
   const WorkCounts core = work_of(render_on(*board, options, prepared));
   const WorkCounts counted =
       trace_frame(prepared.scene, prepared.trees, prepared.view.camera, kWidth, kHeight).work;
@@ -81,7 +81,9 @@ class Reports : public testing::Test {
   static Prepared conference() {
     SceneArguments arguments;
     arguments.scene = "conference";
-    return prepare(arguments, kWidth, kHeight);
+    arguments.width = kWidth;
+    arguments.height = kHeight;
+    return prepare(arguments);
   }
   /// The figure of each row, which are all of the same picture.
   static std::map<std::string, double> figures(const Json& report, const std::string& key,
@@ -100,7 +102,7 @@ class Reports : public testing::Test {
 };
 
 TEST_F(Reports, EveryTreatmentOfOverlapBeatsNone) {
-  const WorkReport report = overlap_report(prepared_, kWidth, kHeight);
+  const WorkReport report = overlap_report(prepared_);
   auto objects = figures(report.json, "method", "objects");
   auto triangles = figures(report.json, "method", "triangles");
   ASSERT_EQ(objects.size(), 5);
@@ -112,7 +114,7 @@ TEST_F(Reports, EveryTreatmentOfOverlapBeatsNone) {
 }
 
 TEST_F(Reports, MoreSlotsTransformLessAgain) {
-  const WorkReport report = mailbox_report(prepared_, kWidth, kHeight);
+  const WorkReport report = mailbox_report(prepared_);
   const Json& rows = report.json["rows"];
   ASSERT_EQ(rows.size(), 9);
   for (std::size_t i = 1; i < 7; ++i) {
@@ -126,7 +128,7 @@ TEST_F(Reports, MoreSlotsTransformLessAgain) {
 }
 
 TEST_F(Reports, ClippingSavesStepsAndTriangles) {
-  const WorkReport report = clipping_report(prepared_, kWidth, kHeight);
+  const WorkReport report = clipping_report(prepared_);
   auto inside = figures(report.json, "clipping", "object_steps");
   auto top = figures(report.json, "clipping", "top_steps");
   ASSERT_EQ(inside.size(), 6);

@@ -31,31 +31,27 @@ bool has_rtl(const Configuration& configuration) {
   return configuration.rtl != nullptr || configuration.lowered;
 }
 
-/// Throws UserError for a folder: a user may name the one that dynrt specialise has written.
-void refuse_folder(const std::string& name) {
-  std::error_code unreachable;
-  if (!std::filesystem::is_directory(name, unreachable)) return;
-  refuse(
-      "configuration {}: this is a folder, but a configuration is a file; name one, such as the {} "
-      "that dynrt specialise writes",
-      name, (std::filesystem::path(name) / "configuration.json").string());
-}
-
 }  // namespace
 
 const Configuration& find_configuration(std::span<const Configuration> table,
                                         const std::string& name, bool rtl) {
-  if (is_configuration_file(name)) {
-    refuse_folder(name);
-    return load_configuration(name, rtl);
-  }
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
-    refuse_folder(name);
-    refuse(
-        "configuration {}: there is no such configuration; name one of {}, or a file FILE.json or "
-        "FILE.so",
-        name, list_of(table, any));
+    // A user may name the folder that dynrt specialise has written.
+    std::error_code unreachable;
+    if (std::filesystem::is_directory(name, unreachable)) {
+      refuse(
+          "configuration {}: this is a folder, but a configuration is a file; name one, such as "
+          "the {} that dynrt specialise writes",
+          name, (std::filesystem::path(name) / "configuration.json").string());
+    }
+    if (!is_configuration_file(name)) {
+      refuse(
+          "configuration {}: there is no such configuration; name one of {}, or a file FILE.json "
+          "or FILE.so",
+          name, list_of(table, any));
+    }
+    return load_configuration(name, rtl);
   }
   if (found->native != nullptr || found->rtl != nullptr) return *found;
   if (rtl && !found->lowered) return *found;  // no library has more

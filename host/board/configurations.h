@@ -39,6 +39,7 @@ struct BoardRequest {
   std::string configuration = kDefaultConfiguration;  ///< a name of the table, FILE.so or FILE.json
   std::string trace;                                  ///< an FST file, or empty
   std::string schedule = {};  ///< of the model: the folder of its units' schedules, or empty
+  bool shows = false;         ///< its VGA display will show the picture
 };
 
 /// The table of this build.

@@ -64,6 +64,7 @@ void check_size(const DisplayMode& mode, unsigned width, unsigned height) {
 }  // namespace
 
 void check_display_size(const CoreInfo& core, unsigned width, unsigned height) {
+  check_size(k640x480.mode, width, height);
   const unsigned pitch = core.pitch(width);
   if (pitch != width) {
     refuse(
@@ -71,7 +72,6 @@ void check_display_size(const CoreInfo& core, unsigned width, unsigned height) {
         "pixels apart where {} are rendered; render a picture whose width is a multiple of {}",
         core.name, pitch, width, kPitchStep);
   }
-  check_size(k640x480.mode, width, height);
 }
 
 Display::Display(RtlBoard& board, const DisplayMode& mode, unsigned clocks_per_pixel,

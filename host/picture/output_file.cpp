@@ -85,6 +85,11 @@ void check_end(const std::string& file, std::string_view end, const std::string&
 void check_outputs(std::span<const Output> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].path.empty()) continue;
+    const std::string extension = fs::path(outputs[i].path).extension().string();
+    if (outputs[i].is_picture && extension != ".png" && extension != ".exr") {
+      refuse("{}: dynrt does not write the image format '{}'; the name must end in .png or .exr",
+             outputs[i].path, extension);
+    }
     for (const Output& other : outputs.first(i)) {
       if (!other.path.empty() && place_of(outputs[i].path) == place_of(other.path)) {
         refuse("{} {}: {} writes the same file; name another file", outputs[i].flag,
@@ -123,7 +128,6 @@ void write_whole(const std::string& path,
 }
 
 void write_bytes(const std::string& path, std::string_view bytes) {
-  check_output_path(path);
   write_whole(path, [&](const std::string& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     file << bytes;

@@ -43,10 +43,12 @@ std::string abandoned(const std::filesystem::path& file);
 struct Output {
   const char* flag;
   std::string path;
+  bool is_picture = false;
 };
 
-/// Throws UserError, before any work is done, for a folder that does not exist or cannot be
-/// written, and for two outputs of one name. Removes their half-written files of killed processes.
+/// Throws UserError, before any work is done, for a picture of an unknown format, for a folder that
+/// does not exist or cannot be written, and for two outputs of one name. Removes their half-written
+/// files of killed processes.
 void check_outputs(std::span<const Output> outputs);
 void check_output_path(const std::string& path);
 
@@ -63,7 +65,7 @@ void check_end(const std::string& file, std::string_view end, const std::string&
 void write_whole(const std::string& path,
                  const std::function<void(const std::string& temporary)>& write);
 
-/// Throws UserError as check_output_path() does, and if the disk is full.
+/// Throws UserError if the file cannot be written, as where the disk is full.
 void write_bytes(const std::string& path, std::string_view bytes);
 void write_text(const std::string& path, const std::string& text);
 

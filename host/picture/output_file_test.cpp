@@ -74,6 +74,19 @@ TEST_F(OutputFile, PlacesThatCannotBeWrittenAreRefused) {
   EXPECT_TRUE(files().empty());
 }
 
+TEST_F(OutputFile, PicturesOfAnUnknownFormatAreRefused) {
+  for (const std::string extension : {".jpg", ""}) {
+    const Output outputs[] = {{"--json", "figures.json"}, {"--out", "image" + extension, true}};
+    EXPECT_THAT(
+        [&] { check_outputs(outputs); },
+        ThrowsMessage<UserError>("image" + extension + ": dynrt does not write the image format '" +
+                                 extension + "'; the name must end in .png or .exr"));
+  }
+  const Output outputs[] = {{"--out", path("image.png"), true},
+                            {"--scan-out", path("d.exr"), true}};
+  EXPECT_NO_THROW(check_outputs(outputs));
+}
+
 TEST_F(OutputFile, TwoOutputsOfOneNameAreRefused) {
   fs::create_directory(path("folder"));
   const Output outputs[] = {{"--out", path("a.png")}, {"--json", path("folder/../a.png")}};

@@ -15,10 +15,7 @@ namespace dynrt::host {
 /// The chunk that ends a PNG file.
 inline constexpr std::string_view kPngEnd = "IEND\xae\x42\x60\x82";
 
-/// Throws UserError, before any work is done, for an unknown extension or a folder that does not
-/// exist or cannot be written.
-void check_image_path(const std::string& path);
-
+/// Throws UserError if the file cannot be written.
 void write_image(const std::string& path, const PictureView& picture);
 
 }  // namespace dynrt::host
