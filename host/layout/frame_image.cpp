@@ -11,6 +11,7 @@
 #include "host/error.h"
 #include "host/layout/add_tree.h"
 #include "host/layout/limits.h"
+#include "host/layout/tree_image.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/tree/instance_tree.h"
 
@@ -115,12 +116,8 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
   const std::uint32_t first = part.end_matrix();
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
-  const MemoryOrder order =
-      memory_order(instances, objects.core.line_nodes, {part.end_node(), part.end_entry()});
-  const auto address =
-      add_tree(part, instances, order, objects.core.address_bits, matrix_of, nullptr);
+  const auto address = add_tree(part, instances, objects.core, matrix_of, nullptr);
   check_limits(scene, objects.core, part);
-  check_matrices(scene, objects.core, first + stride * scene.instances.size());
   part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
@@ -171,10 +168,6 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     start_node = starts.first;
     others_node = starts.others;
   }
-  check_limits(scene, objects.core, memory);
-  check_matrices(scene, objects.core,
-                 memory.end_matrix() + 1 + scene.lights.size() + boxes_in(scene, objects.core));
-
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(format, from_pixels)) {
     refuse(

@@ -20,16 +20,6 @@ namespace dynrt::host {
 
 namespace {
 
-/// The free part of the board's memory, also beyond the part that a core reaches.
-TreeSize room_for_instances(const SceneTrees& trees, const CoreInfo& core) {
-  TreeSize room = memory_for_trees(core);
-  for (const Tree& tree : trees.objects) {
-    room.nodes -= std::min(room.nodes, tree.size().nodes);
-    room.items -= std::min(room.items, tree.size().items);
-  }
-  return room;
-}
-
 /// With trees so shallow that they never overflow the core's stacks, if those that there are could.
 TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfiguration& core) {
   const auto entries = [](unsigned depth) {
@@ -130,8 +120,7 @@ MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
     check_within(image.needs(), core, fmt::format("the scene '{}'", image.scene.name));
   }
   image.objects = ObjectImage(image.scene, image.trees.objects, core);
-  image.top_room =
-      core.is_specialised() ? room_for_instances(image.trees, core) : image.objects.room_left();
+  image.top_room = image.objects.room_left();
   if (options.instances && !options.built) {
     BoxTreeOptions instances = *options.instances;
     instances.grid = Grid(*core.format);

@@ -32,24 +32,12 @@ void check_limit(const Scene& scene, const char* what, std::size_t needed, std::
 
 }  // namespace
 
-void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed) {
-  check_limit(scene,
-              core.tests_world_box() ? kMatricesWithBoxes
-                                     : "matrices (triangles, instances, lights and the camera)",
-              needed, std::size_t{1} << core.matrix_bits, "matrix_bits", core.matrix_bits,
-              kMatrixBits);
-}
-
 std::size_t lights_used(const Scene& scene, const CoreInfo& core) {
   return std::min<std::size_t>(scene.lights.size(), core.lights);
 }
 
 std::size_t boxes_of_instance(const Scene& scene, const CoreInfo& core) {
   return core.tests_world_box() ? 1 + lights_used(scene, core) : 0;
-}
-
-std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {
-  return matrices_of_boxes(scene) * boxes_of_instance(scene, core);
 }
 
 TreeSize address_ends(const CoreConfiguration& core) {
@@ -74,8 +62,10 @@ void check_matrices(const Scene& scene, const CoreInfo& core) {
   const std::size_t of_instance = core.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
   const std::size_t matrices = matrices_taken(numbers, core.triangle_matrix) +
                                scene.instances.size() * of_instance + 1 + scene.lights.size() +
-                               boxes_in(scene, core);
-  check_matrices(scene, core, std::max(numbers, matrices));
+                               matrices_of_boxes(scene) * boxes_of_instance(scene, core);
+  check_limit(scene, core.tests_world_box() ? kMatricesWithBoxes : kMatrices,
+              std::max(numbers, matrices), std::size_t{1} << core.matrix_bits, "matrix_bits",
+              core.matrix_bits, kMatrixBits);
 }
 
 std::uint32_t first_colour(const Scene& scene) {

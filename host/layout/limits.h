@@ -19,16 +19,12 @@ namespace dynrt::host {
 /// Throws if the scene has more triangles, instances, lights and cameras than the memory or the
 /// core has matrices; then no tree can make it fit.
 void check_matrices(const Scene& scene, const CoreInfo& core);
-/// The same for a number of matrices.
-void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed);
 
 /// The number of the scene's lights whose rays the core traces.
 std::size_t lights_used(const Scene& scene, const CoreInfo& core);
 /// The boxes that each instance has in the memory. If the core tests boxes, there is one as seen
 /// from the eye and one as seen from each of those lights.
 std::size_t boxes_of_instance(const Scene& scene, const CoreInfo& core);
-/// The matrices that the boxes of the scene's instances take.
-std::size_t boxes_in(const Scene& scene, const CoreInfo& core);
 
 /// The ends of the addresses that a core has for nodes and list entries.
 TreeSize address_ends(const CoreConfiguration& core);

@@ -9,6 +9,7 @@
 #include "host/error.h"
 #include "host/layout/add_tree.h"
 #include "host/layout/limits.h"
+#include "host/layout/tree_image.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/memory/triangle_matrix.h"
 
@@ -79,7 +80,6 @@ UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primi
 ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core)
     : core(core) {
   const std::uint32_t apart = columns_apart(core.triangle_matrix);
-  check_matrices(scene, core);
   if (core.one_colour) check_colours(scene);
   const MemoryFormat& format = *core.format;
   memory.format = &format;
@@ -89,9 +89,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const Tree& tree = trees[k];
     const std::uint32_t first_matrix = memory.end_column() / apart;
     const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, core.triangle_matrix);
-    const MemoryOrder order =
-        memory_order(tree, core.line_nodes, {memory.end_node(), memory.end_entry()});
-    const auto address = add_tree(memory, tree, order, core.address_bits, matrix_of, &mesh);
+    const auto address = add_tree(memory, tree, core, matrix_of, &mesh);
     objects.push_back({address[tree.root], address[tree.clipped_root], first_matrix, tree.box});
     check_limits(scene, core, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
@@ -116,7 +114,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
 }
 
 TreeSize ObjectImage::room_left() const {
-  const TreeSize ends = address_ends(core);
+  CoreConfiguration reached = core;
+  if (core.is_specialised()) reached.address_bits = kAddressBits;
+  const TreeSize ends = address_ends(reached);
   const auto left = [](std::size_t end, std::size_t used) { return end - std::min(used, end); };
   return {left(ends.nodes, memory.end_node()), left(ends.items, memory.end_entry())};
 }

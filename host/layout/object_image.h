@@ -37,7 +37,8 @@ struct ObjectImage {
   ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core);
 
   std::vector<Aabb> boxes() const;
-  /// The memory that is left for the top-level tree.
+  /// The memory that is left for the top-level tree; of a specialised core also that beyond its
+  /// reach, as a frame that needs more is refused by the key that it exceeds.
   TreeSize room_left() const;
 };
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/layout/frame_image.h"
+#include "host/layout/lay_out.h"
 #include "host/layout/test_scene.h"
 #include "host/test_error.h"
 #include "host/tree/scene_trees.h"
@@ -30,7 +30,7 @@ TEST(Image, RefusesMoreMatricesThanThereArePlaces) {
   Scene scene = scene_of(testing::soup(2, 10, 0.1));
   scene.instances.resize(kMaxMatrices, scene.instances[0]);
   EXPECT_EQ(
-      user_error([&] { ObjectImage(scene, {}, test_core()); }),
+      user_error([&] { lay_out(scene, {}, test_core()); }),
       "scene 'soup' needs 131083 matrices (triangles, instances, lights and the camera), 11 more "
       "than the 131072 that the board's memory holds; use fewer or smaller objects");
 }

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/layout/memory_order.h"
+#include "host/layout/tree_image.h"
 
 #include <algorithm>
 #include <deque>
@@ -161,6 +161,45 @@ MemoryOrder order_of_tree(const Tree& tree) {
   return order;
 }
 
+Primitive kind_of(const Mesh& object, std::size_t primitive) {
+  return object.is_ellipsoid(primitive)   ? Primitive::kSphere
+         : object.is_rectangle(primitive) ? Primitive::kRectangle
+                                          : Primitive::kTriangle;
+}
+
+/// Appends the lists of leaves. Returns, by node, the address of a leaf's.
+std::vector<std::uint32_t> add_lists(MemoryPart& part, const Tree& tree, const MemoryOrder& order,
+                                     std::span<const std::uint32_t> matrix_of, const Mesh* object) {
+  const unsigned step = tree.leaves == Leaves::kPointers ? kListStep : 1;
+  std::vector<std::uint32_t> address(tree.nodes.size());
+  for (const std::uint32_t i : order.leaves) {
+    const TreeNode& leaf = tree.nodes[i];
+    while (part.end_entry() % step != 0) part.entries.emplace_back();
+    address[i] = part.end_entry();
+    for (std::uint32_t k = 0; k < leaf.right; ++k) {
+      const std::uint32_t item = tree.items[leaf.left + k];
+      ListEntry entry;
+      entry.matrix = MatrixIndex::from(matrix_of[item]);
+      if (object != nullptr) entry.set_primitive(kind_of(*object, item));
+      entry.last = k + 1 == leaf.right;
+      part.entries.push_back(entry);
+    }
+  }
+  return address;
+}
+
+/// By node, where it lies, or the pointer to the list of a leaf that has no node.
+std::vector<std::uint32_t> pointers_to(const Tree& tree, const MemoryOrder& order,
+                                       const std::vector<std::uint32_t>& list, std::uint32_t first,
+                                       unsigned address_bits) {
+  std::vector<std::uint32_t> pointer(tree.nodes.size());
+  for (const std::uint32_t leaf : order.leaves) {
+    pointer[leaf] = 1u << (address_bits - 1) | list[leaf] / kListStep;
+  }
+  for (const std::uint32_t node : order.nodes) pointer[node] = first++;
+  return pointer;
+}
+
 }  // namespace
 
 MemoryOrder memory_order(const Tree& tree, unsigned line_nodes, const MemoryPlace& place) {
@@ -169,6 +208,30 @@ MemoryOrder memory_order(const Tree& tree, unsigned line_nodes, const MemoryPlac
   return {nodes_in_lines(treelets, place.node, line_nodes),
           leaves_in_lines(tree, leaves_below(tree, treelets), place.entry,
                           entries_of_line(line_nodes))};
+}
+
+std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, const CoreInfo& core,
+                                    std::span<const std::uint32_t> matrix_of, const Mesh* object) {
+  const MemoryOrder order =
+      memory_order(tree, core.line_nodes, {part.end_node(), part.end_entry()});
+  const std::vector<std::uint32_t> list = add_lists(part, tree, order, matrix_of, object);
+  std::vector<std::uint32_t> pointer =
+      pointers_to(tree, order, list, part.end_node(), core.address_bits);
+  part.nodes.reserve(part.nodes.size() + order.nodes.size());
+  for (const std::uint32_t i : order.nodes) {
+    const TreeNode& from = tree.nodes[i];
+    MemoryNode node;
+    node.kind = static_cast<NodeKind>(from.axis);
+    if (from.is_leaf()) {
+      node.left = list[i];
+    } else {
+      node.split = from.split + 0.0;  // a zero of either sign is the positive one
+      node.left = pointer[from.left];
+      node.right = pointer[from.right];
+    }
+    part.nodes.push_back(node);
+  }
+  return pointer;
 }
 
 }  // namespace dynrt::host

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/layout/memory_order.h"
+#include "host/layout/tree_image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
