@@ -19,7 +19,7 @@ install(DIRECTORY scenes DESTINATION ${share} FILES_MATCHING PATTERN *.json PATT
 
 install(TARGETS hlsc EXPORT dynrtTargets RUNTIME DESTINATION bin)
 install(EXPORT dynrtTargets NAMESPACE dynrt:: DESTINATION ${share}/cmake)
-install(TARGETS hls_join ARCHIVE DESTINATION lib/dynrt)
+install(TARGETS hls_join cosim_bench ARCHIVE DESTINATION lib/dynrt)
 foreach(folder include native lowered)
   install(DIRECTORY hls/${folder}/hls DESTINATION ${include}/${folder} FILES_MATCHING PATTERN *.h
           PATTERN float_judge.h EXCLUDE)  # of tests; it needs MPFR

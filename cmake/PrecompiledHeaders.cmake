@@ -3,7 +3,7 @@
 #
 # Parsing the headers of libraries takes about half of the time of a build from nothing. So each group
 # of targets that compile with the same flags shares one precompiled header, made of libraries'
-# headers alone: our own change too often. The presets dev and asan use none, so that a file which
+# headers alone: our own change too often. The bench is an exception, as all that share it need it. The presets dev and asan use none, so that a file which
 # forgets an #include is found out.
 #
 # dynrt_quick_tests(TARGET...): targets that GoogleTest runs, not optimised: what takes time when they
@@ -12,7 +12,7 @@
 #
 # dynrt_long_tests(TARGET...): the same for those of which it is not: a little optimised.
 #
-# dynrt_cosimulations(TARGET...): not optimised, with the header of Verilator's classes.
+# dynrt_cosimulations(TARGET...): not optimised, with the headers of Verilator's classes and of the bench.
 #
 # dynrt_host_headers(TARGET...), hlsc_headers(TARGET...): static libraries of the host, of hlsc.
 
@@ -91,8 +91,8 @@ dynrt_headers_of_tests(dynrt_headers_of_long_tests 1)
 function(dynrt_long_tests)
   dynrt_tests_with(dynrt_headers_of_long_tests 1 ${ARGN})
 endfunction()
-dynrt_headers_of_tests(dynrt_headers_of_cosimulations 0 <verilated.h>)
-target_link_libraries(dynrt_headers_of_cosimulations PRIVATE verilated_runtime)
+dynrt_headers_of_tests(dynrt_headers_of_cosimulations 0 <verilated.h> <cosim/bench.h>)
+target_link_libraries(dynrt_headers_of_cosimulations PRIVATE verilated_runtime cosim_bench)
 function(dynrt_cosimulations)
   dynrt_tests_with(dynrt_headers_of_cosimulations 0 ${ARGN})
 endfunction()

@@ -43,7 +43,9 @@ add_library(dynrt::join STATIC IMPORTED)
 set_target_properties(dynrt::join PROPERTIES IMPORTED_LOCATION
                       ${dynrt_share}/../../lib/dynrt/libhls_join.a)
 target_link_libraries(dynrt::join INTERFACE dynrt::hls)
-add_library(dynrt::cosim INTERFACE IMPORTED)
+add_library(dynrt::cosim STATIC IMPORTED)
+set_target_properties(dynrt::cosim PROPERTIES IMPORTED_LOCATION
+                      ${dynrt_share}/../../lib/dynrt/libcosim_bench.a)
 target_include_directories(dynrt::cosim INTERFACE ${DYNRT_INCLUDE_FOLDER})
 target_link_libraries(dynrt::cosim INTERFACE dynrt::hls)
 

@@ -17,15 +17,13 @@
 // transaction in the unit at a time. The seed is printed; the environment's HLS_SEED overrides it.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -66,21 +64,14 @@ class ModelBench {
       : name_(std::move(name)), model_(std::move(model)) {
     visit(dut, pins_);
     eval_ = [&dut] { dut.eval(); };
-    for (const auto& port : model_->ports()) {
-      ports_.push_back(make_driver(*port, take(port->name(), port->type())));
-      if (port->type().kind == PortKind::kIn) ++inputs_;
-    }
-    for (const auto& [port, pins] : pins_.ports) {
-      throw std::logic_error(
-          fmt::format("{}: the Verilog has a port {}, the unit has none", name_, port));
-    }
+    make_drivers();
   }
 
   /// Changes every random token (row, value) of a port.
   template <class T>
   void shape(const std::string& port, std::function<void(T&, Random&)> function) {
-    find<PortDriver, T>(port).shape = [function = std::move(function)](TokenBits& bits,
-                                                                       Random& random) {
+    find(port, typeid(T)).shape = [function = std::move(function)](TokenBits& bits,
+                                                                   Random& random) {
       if constexpr (std::is_same_v<T, TokenBits>) {
         function(bits, random);
       } else {
@@ -93,7 +84,7 @@ class ModelBench {
   /// Tells the bench the packet of an In's token.
   template <class T>
   void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
-    find<InDriver, T>(port).packet_of = [function = std::move(function)](const TokenBits& bits) {
+    find_in(port, typeid(T)).packet_of = [function = std::move(function)](const TokenBits& bits) {
       return function(from_bits<T>(bits));
     };
   }
@@ -101,7 +92,7 @@ class ModelBench {
   /// drawn again.
   template <class T>
   void begun(const std::string& port, std::function<void(const T&)> function) {
-    find<InDriver, T>(port).begun = [function = std::move(function)](const TokenBits& bits) {
+    find_in(port, typeid(T)).begun = [function = std::move(function)](const TokenBits& bits) {
       function(from_bits<T>(bits));
     };
   }
@@ -109,164 +100,25 @@ class ModelBench {
   void may_be_silent(const std::string& port) { silent_.insert(port); }
 
   /// Call it once for each bench, as the unit keeps its state.
-  Report run(Settings settings) {
-    if (const char* seed = std::getenv("HLS_SEED")) settings.seed = std::strtoull(seed, nullptr, 0);
-    Report report;
-    Random random(settings.seed);
-    Ledger ledger(settings.drain, settings.return_clocks);
-    std::uint64_t clock = 0;
-    try {
-      reset(random, settings);
-      clock = simulate(random, ledger, settings);
-      report.ok = true;
-    } catch (const Mismatch& mismatch) {
-      report.text = mismatch.what();
-      for (const auto& port : ports_) {
-        if (!mismatch.transaction) break;
-        const std::string token = port->describe(*mismatch.transaction);
-        if (!token.empty()) {
-          report.text += fmt::format("\n  transaction {} read {}", *mismatch.transaction, token);
-        }
-      }
-    }
-    report.transactions = ledger.begun();
-    for (const auto& port : ports_) report.compared += port->compared();
-    report.clocks = clock;
-    const std::string run =
-        fmt::format("{}: seed {}, {} transactions, {} tokens and rows compared, {} clocks", name_,
-                    settings.seed, report.transactions, report.compared, half_clocks_ / 2);
-    fmt::print("{}\n", run);
-    report.text = report.ok ? run : fmt::format("{}\n{}", run, report.text);
-    return report;
-  }
+  Report run(Settings settings);
 
  private:
+  void make_drivers();
   /// The pins of a port, which must have the model's kind and width.
-  PortPins take(const std::string& name, const PortInfo& type) {
-    const auto found = pins_.ports.find(name);
-    if (found == pins_.ports.end()) {
-      throw std::logic_error(fmt::format("{}: the Verilog has no port {}", name_, name));
-    }
-    const PortPins pins = found->second;
-    if (pins.type != type) {
-      throw std::logic_error(fmt::format(
-          "{}: port {} is {} bits, {} rows, latency {} in Verilog, {} bits, {} rows, latency {} in "
-          "the model",
-          name_, name, pins.type.width, pins.type.rows, pins.type.latency, type.width, type.rows,
-          type.latency));
-    }
-    pins_.ports.erase(found);
-    return pins;
-  }
-  template <class Driver, class T>
-  Driver& find(const std::string& name) {
-    for (const auto& port : ports_) {
-      if (port->name() != name) continue;
-      auto* driver = dynamic_cast<Driver*>(port.get());
-      if (driver && port->model().token_type() == typeid(T)) return *driver;
-      throw std::logic_error(fmt::format("{}: port {} has another token", name_, name));
-    }
-    throw std::logic_error(fmt::format("{}: there is no port {}", name_, name));
-  }
-
-  void half_clock(bool high, const Settings& settings) {
-    pins_.clk.set(high);
-    eval_();
-    if (settings.dump) settings.dump(half_clocks_);
-    ++half_clocks_;
-  }
-  void reset(Random& random, const Settings& settings) {
-    for (const auto& port : ports_) port->prepare(random);
-    for (const auto& port : ports_) port->drive(random, true);
-    pins_.rst_n.set(0);
-    for (unsigned i = 0; i < settings.reset_clocks; ++i) {
-      half_clock(false, settings);
-      half_clock(true, settings);
-    }
-    pins_.rst_n.set(1);
-  }
+  PortPins take(const std::string& name, const PortInfo& type);
+  PortDriver& find(const std::string& port, std::type_index token);
+  PortDriver& find_in(const std::string& port, std::type_index token);
+  void half_clock(bool high, const Settings& settings);
+  void reset(Random& random, const Settings& settings);
 
   /// Draws tokens until their packet is not under way, runs the model on them and hands them to
   /// the bench's ports.
-  bool begin_transaction(Random& random, Ledger& ledger) {
-    for (int attempt = 0; attempt < 8; ++attempt) {
-      std::optional<std::uint64_t> packet;
-      for (const auto& port : ports_) {
-        port->draw(random);
-        if (const auto held = port->packet()) packet = held;
-      }
-      if (packet && ledger.holds(*packet)) continue;
-      const std::uint64_t transaction = ledger.begin(inputs_, packet);
-      for (const auto& port : ports_) port->commit(transaction);
-      model_->step();
-      for (const auto& port : ports_) port->collect(transaction, ledger);
-      return true;
-    }
-    return false;
-  }
+  bool begin_transaction(Random& random, Ledger& ledger);
 
   /// Runs all transactions; returns the clocks until the last comparison.
-  std::uint64_t simulate(Random& random, Ledger& ledger, const Settings& settings) {
-    constexpr double kStalls[] = {0, 0, 0.1, 0.5, 0.9};
-    constexpr std::size_t kBacklog = 4;
-    std::vector<double> stall(ports_.size(), 0.0);
-    std::uint64_t last_progress = 0;
-    std::uint64_t after_last = 0;
-    std::uint64_t clock = 0;
-    for (; after_last < settings.drain; ++clock) {
-      if (clock % 256 == 0) {
-        for (std::size_t i = 0; i < stall.size(); ++i) {
-          const bool reads = ports_[i]->kind() == PortKind::kIn;
-          const bool may_stall = reads ? settings.stall_inputs : settings.stall_outputs;
-          if (may_stall) stall[i] = kStalls[random.below(std::size(kStalls))];
-        }
-      }
-      bool progress = false;
-      bool room = ledger.begun() < settings.transactions;
-      for (const auto& port : ports_) room = room && port->backlog() < kBacklog;
-      if (room) progress = begin_transaction(random, ledger);
-
-      for (std::size_t i = 0; i < ports_.size(); ++i) {
-        ports_[i]->drive(random, random.chance(stall[i]));
-      }
-      half_clock(false, settings);
-      bool free = true;
-      for (const auto& port : ports_) {
-        port->observe(ledger);
-        progress = progress || port->moved();
-        free = free && !port->held_up();
-      }
-      half_clock(true, settings);
-      for (const auto& port : ports_) port->edge(ledger);
-      ledger.tick(free);
-
-      if (progress) last_progress = clock;
-      const bool finished = ledger.begun() == settings.transactions && ledger.idle();
-      after_last = finished ? after_last + 1 : 0;
-      if (!finished && clock - last_progress >= settings.patience) throw Mismatch(stuck(settings));
-    }
-    check_coverage(settings);
-    return last_progress + 1;
-  }
-  std::string stuck(const Settings& settings) const {
-    std::string text = fmt::format("no token moved for {} clocks", settings.patience);
-    for (const auto& port : ports_) {
-      if (const std::string waits = port->waiting(); !waits.empty()) text += "; port " + waits;
-    }
-    return text;
-  }
-  void check_coverage(const Settings& settings) const {
-    std::uint64_t compared = 0;
-    for (const auto& port : ports_) {
-      compared += port->compared();
-      const bool writes = port->kind() == PortKind::kOut || port->kind() == PortKind::kRamWrite;
-      if (writes && port->compared() == 0 && !silent_.contains(port->name())) {
-        throw Mismatch(fmt::format("port {} gave no token in {} transactions: no token reaches it",
-                                   port->name(), settings.transactions));
-      }
-    }
-    if (compared == 0) throw Mismatch("no token was compared");
-  }
+  std::uint64_t simulate(Random& random, Ledger& ledger, const Settings& settings);
+  std::string stuck(const Settings& settings) const;
+  void check_coverage(const Settings& settings) const;
 
   std::string name_;
   UnitPins pins_;
