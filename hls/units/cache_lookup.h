@@ -75,7 +75,7 @@ template <class Kind>
 inline constexpr unsigned kCacheKeys = 1u << decltype(Kind::key({}))::kWidth;
 
 template <class C, class Kind>
-struct CacheLookup {
+struct CacheLookup : PipelineOf<C> {
   using Context = typename Kind::Context;
   using Line = typename Kind::Line;
   using Request = CacheRequest<Context, Kind::Address::kWidth>;
@@ -90,10 +90,10 @@ struct CacheLookup {
   hls::Out<MemoryRequest<C>> miss;
   PortOfEach<C::kWays, hls::RamRead<Row, kSets<C, kItems>>> lines;
   hls::RamWrite<WaitingRow<C, Context>, kCacheKeys<Kind>> waiting;
-  hls::OptionalPort<kHasPipelines<C>, hls::Config<PipelineId<C>>> pipeline;
   hls::OptionalPort<kHasWays<C>, hls::RamRead<Use, kSets<C, kItems>>> use;
   hls::OptionalPort<kHasWays<C>, hls::RamWrite<Use, kSets<C, kItems>>> used;
-  HLS_PORTS(request, frame, reply, miss, lines, waiting, pipeline, use, used)
+  using PortsOfParts = hls::Parts<PipelineOf<C>>;
+  HLS_PORTS(request, frame, reply, miss, lines, waiting, use, used)
 
   void step() {
     const Request r = request.read();
@@ -139,18 +139,11 @@ struct CacheLookup {
     miss.write(MemoryRequest<C>{.kind = Kind::kKind,
                                 .key = Kind::key(r.context),
                                 .address = r.address,
-                                .pipeline = number()});
+                                .pipeline = this->number()});
   }
   static bool is_at(const Row& row, Kind::Address address) {
     return hls::concat(hls::concat(row.tag, uint<1>(row.valid)), uint<1>(row.torn)) ==
            hls::concat(line_of<kItems>(address), uint<2>(0b10));
-  }
-  PipelineNumber<C> number() const {
-    if constexpr (kHasPipelines<C>) {
-      return pipeline.get();
-    } else {
-      return {};
-    }
   }
 };
 

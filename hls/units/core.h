@@ -13,43 +13,31 @@
 #include <vector>
 
 #include "hls/join.h"
-#include "units/banks.h"
-#include "units/frame_writer.h"
-#include "units/memory_answer.h"
-#include "units/memory_fill.h"
-#include "units/memory_gather.h"
-#include "units/memory_interface.h"
-#include "units/memory_lookup.h"
-#include "units/memory_write.h"
+#include "units/bank_path.h"
 #include "units/pipeline.h"
 #include "units/pipelines.h"
+#include "units/port_path.h"
 #include "units/ray_generation.h"
+#include "units/shared_bank_path.h"
 #include "units/startup.h"
 
 namespace dynrt {
 
+/// The way to the memory.
+template <class C>
+using MemoryPathOf =
+    std::conditional_t<kHasPort<C>, PortPath<C>,
+                       std::conditional_t<kHasPipelines<C>, SharedBankPath<C>, BankPath<C>>>;
+
 template <class C>
 struct Core {
-  /// Whether several pipelines write to the banks of pixels and hits.
-  static constexpr bool kSharesBanks = kHasPipelines<C> && !kHasPort<C>;
-
   Startup<C> startup;
   RayGeneration<C> ray_generation;
-  std::array<Pipeline<C>, kPipelines<C>> pipeline;
-  hls::OptionalPort<!kHasPort<C>, MemoryInterface<C>> memory_interface;
-  hls::OptionalPort<kHasPort<C>, MemoryLookup<C>> memory_lookup;
-  hls::OptionalPort<kHasPort<C>, MemoryGather<C>> memory_gather;
-  hls::OptionalPort<kHasPort<C>, MemoryFill<C>> memory_fill;
-  hls::OptionalPort<kHasPort<C>, MemoryAnswer<C>> memory_answer;
-  hls::OptionalPort<kHasPort<C>, MemoryWrite<C>> memory_write;
-  hls::OptionalPort<kSharesBanks, FrameWriter<C>> frame_writer;
+  PipelinesOf<C> pipeline;
+  MemoryPathOf<C> memory;
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
   std::shared_ptr<hls::Fifo<uint<1>>> done;
-  /// Of the memory's port, if there is one.
-  std::shared_ptr<hls::Fifo<PortRead<C>>> read;
-  std::shared_ptr<hls::Fifo<PortBeat<C>>> beat;
-  std::shared_ptr<hls::Fifo<PortWrite<C>>> write;
   std::shared_ptr<FrameRegisters<C>> frame = std::make_shared<FrameRegisters<C>>();
 
   Core(hls::Join& join, const Banks<C>& banks) {
@@ -80,17 +68,9 @@ struct Core {
     join.unit("startup", "startup", startup);
     join.unit("ray_generation", "ray_generation", ray_generation);
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned) { p.name_units(join); });
-    if constexpr (kSharesBanks) join.unit("frame_writer", "frame_writer", frame_writer);
+    memory.name_frame_units(join);
     join.group("Memory");
-    if constexpr (kHasPort<C>) {
-      join.unit("memory_lookup", "memory_lookup", memory_lookup);
-      join.unit("memory_gather", "memory_gather", memory_gather);
-      join.unit("memory_fill", "memory_fill", memory_fill);
-      join.unit("memory_answer", "memory_answer", memory_answer);
-      join.unit("memory_write", "memory_write", memory_write);
-    } else {
-      join.unit("memory_interface", "memory_interface", memory_interface);
-    }
+    memory.name_units(join);
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned) { p.name_secondary(join); });
   }
 
@@ -118,14 +98,15 @@ struct Core {
     for (unsigned i = 0; i < kPipelines<C>; ++i)
       free.push_back(&port_of<kPipelines<C>>(startup.free, i));
     free.push_back(&ray_generation.skipped);
-    free.push_back(&frame_end().free);
+    free.push_back(&memory.frame_end(pipeline).free);
     join.channel<FreePacket<C>>("free_packet", free, {&ray_generation.free},
                                 kPipelines<C> * C::kPackets);
-    if constexpr (kHasPipelines<C>) join_pipelines(join);
+    if constexpr (kHasPipelines<C>) number_pipelines(join);
+    memory.join_frame_writes(join, pipeline);
   }
 
-  /// What pipelines share beyond ray generation and memory, and each one's number.
-  void join_pipelines(hls::Join& join) {
+  /// Gives each pipeline's units its number.
+  void number_pipelines(hls::Join& join) {
     for (unsigned i = 0; i < kPipelines<C>; ++i) {
       Pipeline<C>& p = pipeline[i];
       for (hls::Config<PipelineId<C>>* number :
@@ -134,44 +115,10 @@ struct Core {
         join.constant(*number, PipelineId<C>::from(i));
       }
     }
-    if constexpr (kSharesBanks) {
-      join.channel<FrameWrite<C>>("frame_write", writes(&Shading<C>::write), {&frame_writer.write});
-    }
-  }
-
-  /// What the pipelines' shading writes to the unit that they share.
-  template <class Token>
-  hls::Writers<Token> writes(hls::Out<Token> Shading<C>::* port) {
-    hls::Writers<Token> writers = {};
-    for (Pipeline<C>& p : pipeline) writers.push_back(&(p.shading.*port));
-    return writers;
-  }
-
-  /// The unit that frees packets, after their last pixel.
-  auto& frame_end() {
-    if constexpr (kHasPort<C>) {
-      return memory_write;
-    } else if constexpr (kHasPipelines<C>) {
-      return frame_writer;
-    } else {
-      return pipeline[0].shading;
-    }
   }
 
   /// The caches, and the memory behind them.
   void join_memory(hls::Join& join, const Banks<C>& banks);
-  /// The misses of the caches go to banks of SRAM or to the port.
-  void join_banks(hls::Join& join, const hls::Writers<MemoryRequest<C>>& misses,
-                  const Banks<C>& banks);
-  void join_port(hls::Join& join, hls::Writers<MemoryRequest<C>> misses);
-  /// The unit that gives lines to the caches.
-  auto& line_writer() {
-    if constexpr (kHasPort<C>) {
-      return memory_answer;
-    } else {
-      return memory_interface;
-    }
-  }
 };
 
 }  // namespace dynrt

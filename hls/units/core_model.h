@@ -57,8 +57,8 @@ class CoreModel {
     std::unique_ptr<hls::Device> memory;
     if constexpr (kHasPort<C>) {
       memory = make_memory_ ? make_memory_(*core, banks_)
-                            : std::make_unique<PortMemory<C>>(core->read, core->beat, core->write,
-                                                              banks_, timing_);
+                            : std::make_unique<PortMemory<C>>(core->memory.read, core->memory.beat,
+                                                              core->memory.write, banks_, timing_);
       join.attach("memory_read", "memory_beat", *memory, "memory_write");
     }
     std::uint64_t clock = kResetRegister;

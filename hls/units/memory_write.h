@@ -5,7 +5,7 @@
 // burst a packet is free: its writes are on their way before the frame can end.
 #pragma once
 
-#include "units/frame_gather.h"
+#include "units/burst_writer.h"
 #include "units/repeated.h"
 
 namespace dynrt {

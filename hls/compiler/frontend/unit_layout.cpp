@@ -64,31 +64,37 @@ class Reader {
   Reader(const SourceLines& lines, UnitLayout& layout, SourceLine unit)
       : lines_(lines), layout_(layout), where_(std::move(unit)) {}
 
+  /// A unit's own members come before those of its parts, which are base classes.
   void members(const DICompositeType* type, std::uint64_t offset, const std::string& prefix) {
     for (const llvm::DINode* element : type->getElements()) {
       const auto* member = dyn_cast<DIDerivedType>(element);
       if (!member || member->isStaticMember()) continue;
-      const std::uint64_t place = offset + member->getOffsetInBits() / 8;
-      if (member->getTag() == llvm::dwarf::DW_TAG_inheritance) {
-        if (const auto* base = dyn_cast<DICompositeType>(without_qualifiers(member->getBaseType())))
-          members(base, place, prefix);
-      } else if (member->getTag() == llvm::dwarf::DW_TAG_member) {
-        const SourceLine where = lines_.at(member->getFile(), member->getLine());
-        const SourceLine outer = where_;
-        const bool written = member->getFile() && !lines_.is_library(member->getFile());
-        if (written && !member->isArtificial()) where_ = where;
-        if (member->getName().starts_with("_vptr$")) throw Error(where_, messages::kVirtual);
-        const std::string name = member->getName().str();
-        if (member->isBitField()) {
-          throw Error(where_, fmt::format(messages::kBitField, name, member->getSizeInBits()));
-        }
-        value(member->getBaseType(), place, prefix.empty() ? name : prefix + "_" + name);
-        where_ = outer;
+      if (member->getTag() != llvm::dwarf::DW_TAG_member) continue;
+      own_member(*member, offset + member->getOffsetInBits() / 8, prefix);
+    }
+    for (const llvm::DINode* element : type->getElements()) {
+      const auto* base = dyn_cast<DIDerivedType>(element);
+      if (!base || base->getTag() != llvm::dwarf::DW_TAG_inheritance) continue;
+      if (const auto* part = dyn_cast<DICompositeType>(without_qualifiers(base->getBaseType()))) {
+        members(part, offset + base->getOffsetInBits() / 8, prefix);
       }
     }
   }
 
  private:
+  void own_member(const DIDerivedType& member, std::uint64_t place, const std::string& prefix) {
+    const SourceLine where = lines_.at(member.getFile(), member.getLine());
+    const SourceLine outer = where_;
+    const bool written = member.getFile() && !lines_.is_library(member.getFile());
+    if (written && !member.isArtificial()) where_ = where;
+    if (member.getName().starts_with("_vptr$")) throw Error(where_, messages::kVirtual);
+    const std::string name = member.getName().str();
+    if (member.isBitField()) {
+      throw Error(where_, fmt::format(messages::kBitField, name, member.getSizeInBits()));
+    }
+    value(member.getBaseType(), place, prefix.empty() ? name : prefix + "_" + name);
+    where_ = outer;
+  }
   static bool is_single_member(const DICompositeType* type) {
     unsigned count = 0;
     for (const llvm::DINode* element : type->getElements()) {

@@ -14,6 +14,7 @@
 #include "test/units/loops.h"
 #include "test/units/mailbox.h"
 #include "test/units/optional.h"
+#include "test/units/parts.h"
 #include "test/units/rams.h"
 #include "test/units/routing.h"
 #include "test/units/switches.h"
@@ -41,6 +42,7 @@ TEST(Native, Optional) {
   compare_sample<samples::Optional<true>>("Optional<true>", "optional", 5000);
   compare_sample<samples::Optional<false>>("Optional<false>", "optional", 5000);
 }
+TEST(Native, Parts) { compare_sample<samples::Parts>("Parts", "parts", 5000); }
 TEST(Native, Accumulator) {
   compare_sample<samples::Accumulator>("Accumulator", "accumulator", 5000);
 }

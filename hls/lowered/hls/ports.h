@@ -14,6 +14,7 @@
 #include "hls/port_kind.h"
 
 #define HLS_PORTS(...)
+#define HLS_NO_PORTS
 
 namespace hls {
 
@@ -142,5 +143,7 @@ class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0> {
 struct Absent {};
 template <bool Present, class Port>
 using OptionalPort = std::conditional_t<Present, Port, Absent>;
+template <class... Part>
+struct Parts {};
 
 }  // namespace hls

@@ -37,12 +37,18 @@ void visit_port(const std::string& name, Port (&ports)[N], Visit& visit) {
 }  // namespace detail
 
 /// Calls visit(name, port) for every port of a unit, in the order of HLS_PORTS and with the names
-/// that hlsc gives them: those of an array are name_0, name_1 and so on.
+/// that hlsc gives them: those of an array are name_0, name_1 and so on. The ports of its parts
+/// follow its own.
 template <class Unit, class Visit>
 void for_each_port(Unit& unit, Visit&& visit) {
   const std::vector<std::string> names = split_names(Unit::hls_field_names());
   auto name = names.begin();
   unit.hls_visit([&](auto&... member) { (detail::visit_port(*name++, member, visit), ...); });
+  if constexpr (requires { typename Unit::PortsOfParts; }) {
+    [&]<class... Part>(Parts<Part...>) {
+      (for_each_port(static_cast<Part&>(unit), visit), ...);
+    }(typename Unit::PortsOfParts{});
+  }
 }
 
 class JoinPorts {

@@ -25,6 +25,14 @@
   HLS_FIELDS(__VA_ARGS__) \
   static constexpr std::string_view hls_file() { return __FILE__; }
 
+/// Says that a part of a unit has no ports.
+#define HLS_NO_PORTS                                        \
+  template <class Visit>                                    \
+  constexpr decltype(auto) hls_visit(Visit&& visit) {       \
+    return visit();                                         \
+  }                                                         \
+  static constexpr std::string_view hls_field_names() { return {}; }
+
 namespace hls {
 
 /// A channel's reading end. A transaction reads one token from every In of its unit.
@@ -142,5 +150,11 @@ class Config {
 struct Absent {};
 template <bool Present, class Port>
 using OptionalPort = std::conditional_t<Present, Port, Absent>;
+
+/// Base classes of a unit that have ports of their own, such as the variants of one of its sides:
+///     using PortsOfParts = hls::Parts<WayOut<C>>;
+/// Each of them lists its ports with HLS_PORTS or, if it has none, with HLS_NO_PORTS.
+template <class... Part>
+struct Parts {};
 
 }  // namespace hls

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gathers what the shading of a packet writes into bursts, for a memory behind the port. The
-// shading goes ray by ray, row by row, and with each ray through the words of its hit record. So
-// the pixels of a row of the packet become one burst, and two words of each half of a hit record
+// Burst writer: the end of the shading of a core with a memory behind the port. It gathers what the
+// shading of a packet writes into bursts. The shading goes ray by ray, row by row, and with each
+// ray through the words of its hit record. So the pixels of a row of the packet become one burst, and two words of each half of a hit record
 // another; rows begin at multiples of kPitchStep pixels, so that no burst crosses a beat. A beat or
 // a burst may be longer than what it writes: the mask says which pixels, or words, are written.
 #pragma once
@@ -13,7 +13,10 @@
 
 #include "units/frame_writer.h"
 #include "units/memory_port.h"
+#include "units/packet.h"
+#include "units/pipelines.h"
 #include "units/pixel.h"
+#include "units/repeated.h"
 
 namespace dynrt {
 
@@ -33,16 +36,33 @@ struct WriteBurst {
 };
 
 template <class C>
-class FrameGather {
- public:
+struct BurstWriter : PipelineOf<C> {
   static constexpr unsigned kColumns = packet_columns(kRays<C>);
   using Column = uint<hls::index_width(kColumns)>;
 
-  /// Takes what the step of word `word` of a ray in `column` writes; its pixel comes with word 1.
-  /// Every second word of a row's hit records completes a burst, and word 1 of its last ray, which
-  /// is none of them, one of pixels. A packet's last step has a burst, if only an empty one.
-  void take(const FrameWrite<C>& write, Column column, uint<2> word,
-            hls::Out<WriteBurst<C>>& burst) {
+  hls::Out<WriteBurst<C>> burst;
+  using PortsOfParts = hls::Parts<PipelineOf<C>>;
+  HLS_PORTS(burst)
+
+  static RayIndex<C> ray_of(RepeatCount<C> index) {
+    return RayIndex<C>::from((index * uint<6>(43)).raw() >> 7);  // a third of an index below 64
+  }
+  static uint<2> word_of(RepeatCount<C> index) {
+    return uint<2>::from((index + ray_of(index)).raw());  // less three times the ray, modulo 4
+  }
+  /// Pixels from a row of the picture to the next.
+  static uint<11> pitch_of(const FrameRegisters<C>& config) {
+    const uint<11> width = config.width.template trunc<11>();
+    const auto more = (width + uint<2>(kPitchStep - 1)).template trunc<11>();
+    return hls::concat(more.template bits<10, 2>(), uint<2>(0));
+  }
+
+  /// Takes what the step of word `word` of a ray writes; its pixel comes with word 1. Every second
+  /// word of a row's hit records completes a burst, and word 1 of its last ray, which is none of
+  /// them, one of pixels. A packet's last step has a burst, if only an empty one.
+  void put(FrameWrite<C> write, RayIndex<C> ray, uint<2> word) {
+    const Column column = ray.template trunc<Column::kWidth>();
+    write.packet.pipeline = this->number();
     if (word == uint<2>(1)) {
       for (unsigned i = 0; i + 1 < kColumns; ++i) pixels_[i] = pixels_[i + 1];
       pixels_[kColumns - 1] = write.colour;
