@@ -8,44 +8,18 @@
 // which wrote them.
 #pragma once
 
-#include <bit>
-#include <type_traits>
-
-#include "units/frame.h"
-#include "units/line_items.h"
+#include "units/cache_sets.h"
+#include "units/direct_lines.h"
 
 namespace dynrt {
 
-template <class C>
-inline constexpr bool kHasWays = C::kWays > 1;
-/// Of lines with so many items: the more a line has, the fewer there are.
-template <class C, unsigned N = 1>
-inline constexpr unsigned kSets = C::kLines / C::kWays / N;
-template <class C, unsigned N = 1>
-using SetNumber = uint<hls::index_width(kSets<C, N>)>;
-template <class C>
-using WayNumber = uint<hls::index_width(C::kWays)>;
-
-/// The set of an address, in as many sets as the frame has lines for. It has no debug info: hlsc
-/// names signals by variables, which are to be those of the units.
-template <class C, unsigned N = 1, unsigned W>
-[[gnu::nodebug]] constexpr SetNumber<C, N> set_of(uint<W> address, const FrameRegisters<C>& frame) {
-  constexpr unsigned kShift = std::bit_width(C::kWays) - 1 + kItemBits<N>;
-  return SetNumber<C, N>::from(
-      (line_of<N>(address).raw() & frame.line_mask.template shr<kShift>().raw()));
-}
-
-/// What waits for a line: the context of the request and, where there are ways, the way that the
-/// line is for.
+/// What waits for a line: the context of the request and the way that the line is for.
 template <class C, class Context>
 struct InWay {
   Context context;
   WayNumber<C> way;
   HLS_FIELDS(context, way)
 };
-template <class C, class Context>
-using WaitingRow = std::conditional_t<kHasWays<C>, InWay<C, Context>, Context>;
-
 /// Which of some ways was used longest ago, or nearly so: the lowest bit tells the half, the others
 /// the way in the lower and in the upper half.
 template <unsigned Ways>
@@ -106,6 +80,61 @@ struct WaySet {
       if (has(i)) way = Way::from(i);
     }
     return way;
+  }
+};
+
+template <class C, class Kind>
+struct WaysToRead {
+  using Line = typename Kind::Line;
+  using Row = CacheRowOf<Kind>;
+  using Use = UseRow<C>;
+  static constexpr unsigned kItems = Kind::kItems;
+  hls::RamRead<Row, kSets<C, kItems>> lines[C::kWays];
+  hls::RamRead<Use, kSets<C, kItems>> use;
+  hls::RamWrite<Use, kSets<C, kItems>> used;
+  HLS_PORTS(lines, use, used)
+
+  /// Whether the line of a request is there; the item that was asked for, and what waits for the
+  /// line if it is not.
+  template <class Request>
+  bool look(const Request& r, SetNumber<C, kItems> set, Line& item,
+            InWay<C, typename Kind::Context>& waits) {
+    WaySet<C::kWays> hits{}, empty{};
+    std::array<Row, C::kWays> rows;
+    for (unsigned i = 0; i < C::kWays; ++i) {
+      rows[i] = lines[i].read(set);
+      hits.put(i, is_at<Kind>(rows[i], r.address));
+      empty.put(i, !rows[i].valid || rows[i].torn);
+    }
+    item = item_at<kItems>(rows[C::kWays - 1].line, r.address);
+    for (unsigned i = C::kWays - 1; i-- > 0;) {
+      if (hits.has(i)) item = item_at<kItems>(rows[i].line, r.address);
+    }
+    const auto before = use.read(set).of_full_set(!empty.any());
+    const auto way = hits.any() ? hits.first() : empty.any() ? empty.first() : before.oldest();
+    waits = {r.context, way};
+    if (!Kind::is_known(r.address)) used.write(set, Use{false, before.after(way)});
+    return hits.any();
+  }
+};
+
+template <class C, class Kind>
+struct WaysToFill {
+  hls::RamWrite<CacheRowOf<Kind>, kSets<C, Kind::kItems>> lines[C::kWays];
+  HLS_PORTS(lines)
+
+  /// Writes the line in its way, or invalidates the set in all, and gives the context of the request
+  /// that waits for it.
+  template <class Fill>
+  typename Kind::Context put(const Fill& fill, SetNumber<C, Kind::kItems> set,
+                             const InWay<C, typename Kind::Context>& waiting) {
+    for (unsigned i = 0; i < C::kWays; ++i) {
+      if (fill.invalidate || waiting.way == WayNumber<C>::from(i)) {
+        lines[i].write(set,
+                       {false, !fill.invalidate, line_of<Kind::kItems>(fill.address), fill.line});
+      }
+    }
+    return waiting.context;
   }
 };
 
