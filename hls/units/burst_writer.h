@@ -3,9 +3,10 @@
 //
 // Burst writer: the end of the shading of a core with a memory behind the port. It gathers what the
 // shading of a packet writes into bursts. The shading goes ray by ray, row by row, and with each
-// ray through the words of its hit record. So the pixels of a row of the packet become one burst, and two words of each half of a hit record
-// another; rows begin at multiples of kPitchStep pixels, so that no burst crosses a beat. A beat or
-// a burst may be longer than what it writes: the mask says which pixels, or words, are written.
+// ray through the words of its hit record. So the pixels of a row of the packet become one burst,
+// and two words of each half of a hit record another; rows begin at multiples of kPitchStep pixels,
+// so that no burst crosses a beat. A beat or a burst may be longer than what it writes: the mask
+// says which pixels, or words, are written.
 #pragma once
 
 #include <algorithm>

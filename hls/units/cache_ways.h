@@ -123,8 +123,8 @@ struct WaysToFill {
   hls::RamWrite<CacheRowOf<Kind>, kSets<C, Kind::kItems>> lines[C::kWays];
   HLS_PORTS(lines)
 
-  /// Writes the line in its way, or invalidates the set in all, and gives the context of the request
-  /// that waits for it.
+  /// Writes the line in its way, or invalidates the set in all, and gives the context of the
+  /// request that waits for it.
   template <class Fill>
   typename Kind::Context put(const Fill& fill, SetNumber<C, Kind::kItems> set,
                              const InWay<C, typename Kind::Context>& waiting) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A part of the packet decoder: where rays and mapped corners go in a core that tests triangles
-// watertight by each ray's shear (units/watertight.h). Rays that enter an object go to the unit that
-// makes the shear; three corners in the plane of a ray make one test.
+// watertight by each ray's shear (units/watertight.h). Rays that enter an object go to the unit
+// that makes the shear; three corners in the plane of a ray make one test.
 #pragma once
 
 #include "units/decoded_rays.h"

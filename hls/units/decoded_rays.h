@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A part of the packet decoder: where whole rays go in a core whose slices divide (thesis 6.1.3). A
-// ray of the world or of an object is saved for its slice; the last one of an object sends the packet
-// to the traversal. Rays in unit space, and a reset for each new ray, go to the intersection.
+// ray of the world or of an object is saved for its slice; the last one of an object sends the
+// packet to the traversal. Rays in unit space, and a reset for each new ray, go to the
+// intersection.
 #pragma once
 
 #include "units/intersection_tokens.h"

@@ -64,7 +64,11 @@ struct PacketDecoder : DecodedRays<C> {
       if (!in.point && is_new && !light) arriving.write(ray_row<C>(in.packet, in.ray), r);
     }
     if constexpr (kTwoLevels<C> && kHasMirrors<C>) {
-      if (!in.point && between) derived.write(DerivationEvent<C>{in.packet});
+      if (!in.point && between) {
+        DerivationEvent<C> go_on;
+        go_on.packet = in.packet;
+        derived.write(go_on);
+      }
     }
     if constexpr (kSplitsPackets<C>) {
       for (unsigned i = 0; i < kRays<C>; ++i) {

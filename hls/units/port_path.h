@@ -77,8 +77,7 @@ struct PortPath {
     // A packet has as many requests on their way as a matrix has columns.
     requests.push_back(&memory_lookup.again);
     requests.push_back(&startup.second, hls::WriterFifo::kShort);
-    join.repeat("memory_request", requests, memory_lookup.request,
-                4 * kPipelines<C> * C::kPackets);
+    join.repeat("memory_request", requests, memory_lookup.request, 4 * kPipelines<C> * C::kPackets);
     join.channel<PortLine<C>>("port_line", {&memory_gather.line, &memory_lookup.invalidate},
                               {&memory_fill.fill});
     join.channel<MemoryLine<C>>("memory_line", {&memory_fill.line, &memory_lookup.hit},

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shared bank writer: the end of the shading in a core of several pipelines, whose writes go through
-// one unit to the banks (units/frame_writer.h).
+// Shared bank writer: the end of the shading in a core of several pipelines, whose writes go
+// through one unit to the banks (units/frame_writer.h).
 #pragma once
 
 #include "units/bank_writer.h"

@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A part of the packet decoder of a fast core: every ray of the world or of an object goes to the unit
-// that makes its reciprocals (units/ray_reciprocal.h). Rays in unit space do not come here
-// (units/unit_decoder.h). A camera's rays come between those of another packet, and a light's may be
-// among them, so two origins are kept.
+// A part of the packet decoder of a fast core: every ray of the world or of an object goes to the
+// unit that makes its reciprocals (units/ray_reciprocal.h). Rays in unit space do not come here
+// (units/unit_decoder.h). A camera's rays come between those of another packet, and a light's may
+// be among them, so two origins are kept.
 #pragma once
 
 #include "units/decoded_rays.h"

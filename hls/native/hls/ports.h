@@ -26,11 +26,11 @@
   static constexpr std::string_view hls_file() { return __FILE__; }
 
 /// Says that a part of a unit has no ports.
-#define HLS_NO_PORTS                                        \
-  template <class Visit>                                    \
-  constexpr decltype(auto) hls_visit(Visit&& visit) {       \
-    return visit();                                         \
-  }                                                         \
+#define HLS_NO_PORTS                                  \
+  template <class Visit>                              \
+  constexpr decltype(auto) hls_visit(Visit&& visit) { \
+    return visit();                                   \
+  }                                                   \
   static constexpr std::string_view hls_field_names() { return {}; }
 
 namespace hls {
