@@ -40,25 +40,6 @@ TEST_F(App, HelpTellsEverything) {
   }
 }
 
-TEST_F(App, ListsItsFlagsForScripts) {
-  const Outcome outcome = run("needs --list-flags");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  using Json = nlohmann::ordered_json;
-  std::map<std::string, Json> flags;
-  for (const Json& flag : Json::parse(outcome.out)) flags[flag.at("name")] = flag;
-  const auto row = [](const char* name, const char* value, bool several, bool of_frame) {
-    return Json{{"name", name}, {"value", value}, {"several", several}, {"of_frame", of_frame}};
-  };
-  EXPECT_EQ(flags["--look-at"], row("--look-at", "X,Y,Z", false, true));
-  EXPECT_EQ(flags["--light"], row("--light", "X,Y,Z[:R,G,B[:INTENSITY]]", true, true));
-  EXPECT_EQ(flags["--uncompressed"], row("--uncompressed", "", false, true));
-  EXPECT_EQ(flags["--frames"], row("--frames", "N", false, false));
-  for (const SceneFlag& flag : scene_flags()) EXPECT_TRUE(flags.contains(flag.name)) << flag.name;
-  for (const char* none : {"--answer", "--list-flags", "--help", "SCENE"}) {
-    EXPECT_FALSE(flags.contains(none)) << none;
-  }
-}
-
 TEST_F(App, SaysItsVersion) {
   const Outcome outcome = run("--version");
   EXPECT_EQ(outcome.code, 0);

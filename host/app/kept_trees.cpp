@@ -3,13 +3,10 @@
 #include "host/app/kept_trees.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
-#include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/vector.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <optional>
@@ -17,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "host/app/cache.h"
 #include "host/app/tree_sources.h"
 #include "host/error.h"
 #include "host/picture/output_file.h"
@@ -75,18 +73,6 @@ void serialize(Archive& archive, Ellipsoid& e) {
 namespace {
 
 constexpr const char* kExtension = ".tree";
-
-/// Hexadecimal SHA-256.
-std::string digest(const std::string& text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes;
-  unsigned size = 0;
-  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw std::logic_error("OpenSSL has no SHA-256");
-  }
-  std::string hex;
-  for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes[i]);
-  return hex;
-}
 
 /// The object's name and materials make no difference to its tree.
 std::string key_of(const Mesh& object, const TreeOptions& o) {
@@ -175,16 +161,8 @@ void KeptTrees::make_room() const {
 }
 
 fs::path folder_of_trees() {
-  const auto named = [](const char* variable) {
-    const char* value = std::getenv(variable);
-    return value == nullptr || *value == 0 ? fs::path() : fs::absolute(value);
-  };
-  if (const fs::path cache = named("DYNRT_CACHE"); !cache.empty()) return cache / "trees";
-  if (const fs::path cache = named("XDG_CACHE_HOME"); !cache.empty()) {
-    return cache / "dynrt" / "trees";
-  }
-  const fs::path home = named("HOME");
-  return home.empty() ? fs::path() : home / ".cache" / "dynrt" / "trees";
+  const fs::path cache = cache_folder();
+  return cache.empty() ? cache : cache / "trees";
 }
 
 TreeOptions kept_trees() {

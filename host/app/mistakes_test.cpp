@@ -185,6 +185,30 @@ TEST_F(App, WhatTheConfigurationLacksIsRefused) {
                  "dynrt: --timeout 0: the board needs at least one clock\n");
 }
 
+TEST_F(App, BadWishesForACoreAreRefused) {
+  const auto mistake = [&](const std::string& flags, const testing::Matcher<std::string>& what) {
+    expect_mistake("specialise office --config model_only --no-hardware " + flags, what);
+  };
+  for (const std::string none : {"-1", "nan", "inf"}) {
+    mistake("--max-slowdown=" + none,
+            "dynrt: --max-slowdown " + none + ": a part in percent, 0 or more\n");
+  }
+  for (const std::string none : {"0", "nan"}) {
+    mistake("--max-error " + none, "dynrt: --max-error " + none + ": must be a number above 0\n");
+  }
+  mistake("--measure primary.t_p99",
+          "dynrt: --measure primary.t_p99: there is no bound; --max-error says how large this "
+          "error may be\n");
+  mistake("--keep speed", StartsWith("dynrt: --keep speed: unknown; the keys are pipelines, "));
+  mistake("--jobs 0", HasSubstr("--jobs: at least one is needed"));
+  mistake("--out /dev/null", StartsWith("dynrt: --out /dev/null: cannot be written (File exists"));
+  mistake("--json /nowhere/f.json", HasSubstr("/nowhere"));
+  mistake("--fov wide", StartsWith("dynrt: --fov: wide is not a finite number; dynrt specialise "));
+  expect_mistake("specialise nowhere.obj --no-hardware", HasSubstr("nowhere.obj"));
+  expect_mistake("specialise office --device fpga",
+                 StartsWith("dynrt: --device fpga: unknown; the devices are ecp5-85, "));
+}
+
 TEST_F(App, BadCamerasAreRefused) {
   expect_mistake("render blocks --config stand_in --position 1,2",
                  "dynrt: --position 1,2: write three numbers separated by commas, for example "

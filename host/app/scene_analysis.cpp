@@ -40,6 +40,25 @@ SceneNeeds needs_over_frames(Prepared& prepared, const AnalysedFrames& asked) {
 
 }  // namespace
 
+void AnalysedFrames::add_to(CLI::App& command) {
+  command
+      .add_option("--reflections", reflections,
+                  "largest number of bounces of a ray; default: all that the configuration has")
+      ->option_text("N")
+      ->check(not_a_count);
+  command.add_flag("--uncompressed", uncompressed,
+                   "make a core that can also render with --uncompressed");
+  command
+      .add_option("--frames", frames,
+                  fmt::format("number of frames of a walk that the core must render; default: {} "
+                              "if the scene moves, else 1",
+                              kWalkFrames))
+      ->option_text("N")
+      ->check(not_a_count);
+  span.add_to(command);
+  memory.add_to(command);
+}
+
 std::string general_configuration(SceneFile& file) {
   const SceneArguments& flags = file.arguments();
   const Scene& scene = file.scene();
@@ -76,6 +95,12 @@ nlohmann::ordered_json SceneAnalysis::json() const {
           {"content", fmt::format("{:016x}", content)},
           {"needs", json_of(needs)},
           {"keys", json_of(decisions)}};
+}
+
+std::string SceneAnalysis::about() const {
+  constexpr std::string_view kTitle = "scene";
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.substr(line.find_first_not_of(' ', kTitle.size()));
 }
 
 }  // namespace dynrt::host

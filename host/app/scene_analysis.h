@@ -21,11 +21,13 @@ std::string general_configuration(SceneFile& file);
 
 /// The frames that a core must hold.
 struct AnalysedFrames {
-  std::optional<unsigned> reflections;  ///< bounces; all that the general configuration has
+  std::optional<unsigned> reflections{};  ///< bounces; all that the general configuration has
   bool uncompressed = false;
-  std::optional<unsigned> frames;  ///< of a walk; kWalkFrames of a scene that moves, else one
+  std::optional<unsigned> frames{};  ///< of a walk; kWalkFrames of a scene that moves, else one
   SpanArguments span{};
   MemoryArguments memory{};  ///< of the frame whose clocks are measured
+
+  void add_to(CLI::App& command);
 };
 
 struct SceneAnalysis {
@@ -36,6 +38,7 @@ struct SceneAnalysis {
   std::vector<Decision> decisions;
 
   nlohmann::ordered_json json() const;
+  std::string about() const;  ///< the line about the scene, without its title
 };
 
 /// Over all frames. `configuration` is the general one, or empty: then the scene decides.

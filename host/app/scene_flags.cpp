@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vector_relational.hpp>
-#include <nlohmann/json.hpp>
 
 #include "host/app/text.h"
 #include "host/error.h"
@@ -138,21 +137,6 @@ std::vector<std::string> words_of(const SceneArguments& scene) {
     }
   }
   return words;
-}
-
-std::string listed_flags(const CLI::App& needs) {
-  const CLI::App& render = *needs.get_parent()->get_subcommand("render");
-  nlohmann::ordered_json flags = nlohmann::ordered_json::array();
-  for (const CLI::Option* option : needs.get_options()) {
-    const bool hidden = option->get_group().empty();
-    if (hidden || option->get_positional() || option == needs.get_help_ptr()) continue;
-    const std::string name = option->get_name();
-    flags.push_back({{"name", name},
-                     {"value", option->get_option_text()},
-                     {"several", option->get_items_expected_max() > 1},
-                     {"of_frame", render.get_option_no_throw(name) != nullptr}});
-  }
-  return flags.dump(2);
 }
 
 }  // namespace dynrt::host

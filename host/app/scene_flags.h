@@ -41,9 +41,4 @@ PointLight parse_light(const std::string& text);
 /// if a part follows.
 Mirror parse_mirror(const std::string& text);
 
-/// The flags of `dynrt needs` as JSON, for scripts/specialise, which takes them too: a list of
-/// {"name", "value", "several", "of_frame"}, the text that stands for the value or nothing, whether
-/// it may be given several times, and whether `dynrt render` has the flag, as it chooses a frame.
-std::string listed_flags(const CLI::App& needs);
-
 }  // namespace dynrt::host

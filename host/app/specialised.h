@@ -5,12 +5,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "host/app/scene_file.h"
+#include "host/app/special_core.h"
 #include "host/specialise/within.h"
 
 namespace dynrt::host {
@@ -21,13 +19,6 @@ struct ChosenCore {
   /// there.
   std::string configuration;
   std::string general;  ///< the same without --specialise, if the user named a general one
-};
-
-/// Further demands on a core that is made for a scene, besides one frame.
-struct SpecialiseWishes {
-  std::vector<std::string> keep{};   ///< keys of the configuration that stay
-  std::optional<unsigned> frames{};  ///< of a walk
-  SpanArguments span{};
 };
 
 struct SpecialiseFlags {
@@ -43,10 +34,11 @@ struct SpecialiseFlags {
     return SceneFile(scene, specialise || general_if_exceeded);
   }
 
-  /// The configurations to render with on a board; builds them if needed. Throws UserError with the
-  /// reason if a configuration cannot be made, or if the board has a core of its own.
+  /// The configurations to render with on a board; builds them if needed. Of `wishes` only the keys
+  /// to keep and the frames of a walk count. Throws UserError with the reason if a configuration
+  /// cannot be made, or if the board has a core of its own.
   ChosenCore choose(SceneFile& scene, const FrameArguments& frame, const std::string& board,
-                    const SpecialiseWishes& wishes = {}) const;
+                    SpecialiseWishes wishes = {}) const;
 
   /// Throws the error, with advice, unless the general core may replace the specialised one.
   void refuse_unless_general(const Exceeded& over) const;

@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "hls/json_text.h"
@@ -20,6 +18,7 @@
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
+#include "host/app/temporary_folder.h"
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
@@ -48,16 +47,7 @@ class OtherFormat {
         !parse(format.substr(comma + 1), mantissa_bits_)) {
       refuse("--format {}: write the bits of exponent and mantissa, for example 7,12", format);
     }
-    std::string pattern = (std::filesystem::temp_directory_path() / "dynrt-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
   }
-  ~OtherFormat() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  OtherFormat(const OtherFormat&) = delete;
-  OtherFormat& operator=(const OtherFormat&) = delete;
 
   /// The file of a configuration of the table, with its format changed.
   std::string file(const std::string& configuration) const {
@@ -91,7 +81,7 @@ class OtherFormat {
  private:
   std::string flag_;
   unsigned exponent_bits_ = 0, mantissa_bits_ = 0;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 std::unique_ptr<Board> open_board(const Arguments& arguments, const std::string& configuration,

@@ -20,16 +20,4 @@ void say(const std::string& text) {
   }
 }
 
-std::string grouped(std::uint64_t number) {
-  std::string digits = fmt::format("{}", number);
-  for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), ",");
-  }
-  return digits;
-}
-
-std::string counted(std::uint64_t number, const std::string& what) {
-  return grouped(number) + " " + what + (number == 1 ? "" : "s");
-}
-
 }  // namespace dynrt::host

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "host/words.h"
+
 namespace dynrt::host {
 
 /// Parses the whole of `text` as a number; false if it is none.
@@ -35,9 +37,5 @@ bool parse_list(std::string_view text, char separator, std::array<N, kCount>& nu
 
 /// Prints on stdout; throws UserError where that cannot be written.
 void say(const std::string& text);
-/// 1234567 as "1,234,567".
-std::string grouped(std::uint64_t number);
-/// "1 object", "2 objects".
-std::string counted(std::uint64_t number, const std::string& what);
 
 }  // namespace dynrt::host

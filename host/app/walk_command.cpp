@@ -167,7 +167,7 @@ int run(const Arguments& arguments) {
   // Every frame of the walk is analysed.
   const ChosenCore core =
       arguments.specialise.choose(scene, arguments.frame, arguments.board,
-                                  {.frames = arguments.frames, .span = arguments.span});
+                                  {.frames = {.frames = arguments.frames, .span = arguments.span}});
   auto [board, prepared] =
       prepare_on(arguments.specialise, core,
                  {.board = arguments.board, .trace = "", .schedule = arguments.schedule}, options,

@@ -140,8 +140,7 @@ const Configuration& load_listed_configuration(const std::string& name, bool rtl
   return load_configuration(folder / (name + ".json"), rtl);
 }
 
-void make_ready(std::span<const Configuration> table, const std::string& name,
-                const std::function<void(const std::string& step)>& tell) {
+void make_ready(std::span<const Configuration> table, const std::string& name, const Tell& tell) {
   if (name.ends_with(".so")) return;
   if (name.ends_with(".json")) {
     make_configuration(name, false, tell);
@@ -154,16 +153,15 @@ void make_ready(std::span<const Configuration> table, const std::string& name,
   }
 }
 
-std::string make_schedules(const std::string& name,
-                           const std::function<void(const std::string& step)>& tell) {
+std::string make_schedules(const std::string& name, const Tell& tell, unsigned jobs) {
   if (name.ends_with(".so")) {
     refuse(
         "configuration {}: a shared library does not say what its units are made from; name the "
         "JSON file that it was made from, and its units can be lowered",
         name);
   }
-  if (name.ends_with(".json")) return make_verilog(name, tell);
-  return make_verilog((listed_folder() / (name + ".json")).string(), tell);
+  if (name.ends_with(".json")) return make_verilog(name, tell, jobs);
+  return make_verilog((listed_folder() / (name + ".json")).string(), tell, jobs);
 }
 
 void add_general(CoreInfo& core) {

@@ -15,36 +15,38 @@ namespace dynrt::host {
 
 namespace {
 
-using Tell = std::function<void(const std::string& step)>;
-
 /// What scripts/configuration makes with these flags.
-std::string made_of(const std::string& json_path, std::vector<std::string> flags,
-                    const Tell& tell) {
+std::string made_of(const std::string& json_path, std::vector<std::string> flags, const Tell& tell,
+                    unsigned jobs) {
   std::error_code error;
   if (!std::filesystem::exists(json_path, error)) {
     refuse(messages::kNoConfigurationFile, json_path);
   }
   flags.insert(flags.begin(), json_path);
-  Answer answer;
-  if (tell) {
-    flags.emplace_back("--tell-steps");
-    answer = [&tell](const std::string& step) {
-      tell(step);
-      return std::string();
-    };
-  }
-  return made_by_script("configuration", flags, "configuration " + json_path, answer);
+  if (tell) flags.emplace_back("--tell-steps");
+  if (jobs > 0) flags.push_back(fmt::format("--jobs={}", jobs));
+  return made_by_script("configuration", flags, "configuration " + json_path, tell);
 }
 
 }  // namespace
 
-std::string make_configuration(const std::string& json_path, bool rtl, const Tell& tell) {
+std::string make_configuration(const std::string& json_path, bool rtl, const Tell& tell,
+                               unsigned jobs) {
   return made_of(json_path, rtl ? std::vector<std::string>{"--rtl"} : std::vector<std::string>{},
-                 tell);
+                 tell, jobs);
 }
 
-std::string make_verilog(const std::string& json_path, const Tell& tell) {
-  return made_of(json_path, {"--verilog"}, tell);
+std::string make_verilog(const std::string& json_path, const Tell& tell, unsigned jobs) {
+  return made_of(json_path, {"--verilog"}, tell, jobs);
+}
+
+bool can_be_made(const std::string& json_path) {
+  try {
+    made_of(json_path, {"--check"}, {}, 0);
+    return true;
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 }  // namespace dynrt::host

@@ -15,16 +15,17 @@ struct CommandOutput {
   int code = -1;     ///< -1: it did not run or was killed
 };
 
-/// Gives the line that answers a question.
-using Answer = std::function<std::string(const std::string& question)>;
+/// Hears of a step of the work.
+using Tell = std::function<void(const std::string& step)>;
 
-/// Runs a command; its progress and messages go to the terminal. With an `answer`, each line that
-/// begins with "? " is a question, and the command reads the answer from its standard input.
-CommandOutput output_of(const std::vector<std::string>& command, const Answer& answer = {});
+/// Runs a command; its messages go to the terminal. With `tell`, each line that begins with "? " is
+/// a step and no output; if `tell` throws, the command is interrupted.
+CommandOutput output_of(const std::vector<std::string>& command, const Tell& tell = {});
 
 /// Runs a script of scripts/ for this build with --for-program. The script prints the path of the
-/// file that it made or, if it fails, a sentence. Throws UserError with `what` and that sentence.
+/// file that it made, or other results, or, if it fails, a sentence. Throws UserError with `what`,
+/// if that is not empty, and that sentence.
 std::string made_by_script(const std::string& script, const std::vector<std::string>& arguments,
-                           const std::string& what, const Answer& answer = {});
+                           const std::string& what, const Tell& tell = {});
 
 }  // namespace dynrt::host

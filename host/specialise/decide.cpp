@@ -3,11 +3,15 @@
 #include "host/specialise/decide.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
+#include "host/error.h"
 #include "host/format/configuration_json.h"
+#include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
 
@@ -44,6 +48,56 @@ std::vector<Decision> decide(const SceneNeeds& needs, const CoreConfiguration& g
     if (key.of_core) decisions.push_back(decision(key, context));
   });
   return decisions;
+}
+
+std::vector<Decision> replaced(std::vector<Decision> decisions, const std::vector<Decision>& by) {
+  for (Decision& decision : decisions) {
+    const auto other = std::ranges::find(by, decision.key, &Decision::key);
+    if (other != by.end()) decision = *other;
+  }
+  return decisions;
+}
+
+std::vector<Decision> kept(const std::vector<std::string>& keys, const CoreConfiguration& general) {
+  std::vector<std::string_view> known;
+  for_each_key(general, [&](const ConfigurationKey& key, const auto&) {
+    if (key.of_core) known.push_back(key.name);
+  });
+  std::vector<Decision> decisions;
+  for (const std::string& key : keys) {
+    if (std::ranges::find(known, key) == known.end()) {
+      refuse(messages::kNoKeyToKeep, key, fmt::format("{}", fmt::join(known, ", ")));
+    }
+    decisions.push_back(
+        {key, value_of(general, key), fmt::format("as in {}: --keep asks for it", general.name)});
+  }
+  return decisions;
+}
+
+std::vector<std::string> left_out(const std::vector<Decision>& decisions,
+                                  const CoreConfiguration& general) {
+  std::vector<std::string> keys;
+  for (const Decision& decision : decisions) {
+    if (decision.value != value_of(general, decision.key)) keys.push_back(decision.key);
+  }
+  return keys;
+}
+
+Json configuration_json(const std::vector<Decision>& decisions, const std::string& scene,
+                        const CoreConfiguration& general, const std::string& made_from) {
+  Json json = {{"about", fmt::format("made for the scene {}, from the configuration {}", scene,
+                                     general.name)},
+               {"made_for", scene},
+               {"made_from", made_from}};
+  json.update(json_of(decisions));
+  return json;
+}
+
+std::string words_of(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (!value.is_array()) return value.dump();
+  return fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), ", "));
 }
 
 Json json_of(const std::vector<Decision>& decisions) {

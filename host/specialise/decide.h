@@ -3,7 +3,7 @@
 //
 // The value that each key of a configuration must have for a scene, with a sentence that gives the
 // reason. The key's rule decides it (rules.h); a key without a rule has the general core's value.
-// `dynrt specialise` measures afterwards how many packets and cache lines pay.
+// Measurements decide afterwards how many packets and cache lines pay (search.h).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,23 @@ struct Decision {
 std::vector<Decision> decide(const SceneNeeds& needs, const CoreConfiguration& general,
                              const FrameDemands& demands);
 
+/// The same, with those of `by` in place of those for their keys.
+std::vector<Decision> replaced(std::vector<Decision> decisions, const std::vector<Decision>& by);
+/// For --keep: keys of the core that stay as they are. Throws UserError for others.
+std::vector<Decision> kept(const std::vector<std::string>& keys, const CoreConfiguration& general);
+/// The names of the keys that are not as in the general core.
+std::vector<std::string> left_out(const std::vector<Decision>& decisions,
+                                  const CoreConfiguration& general);
+
+/// A configuration as a file states it, every value with its reason. `made_from` is the general
+/// one's name or file.
+nlohmann::ordered_json configuration_json(const std::vector<Decision>& decisions,
+                                          const std::string& scene,
+                                          const CoreConfiguration& general,
+                                          const std::string& made_from);
 nlohmann::ordered_json json_of(const std::vector<Decision>& decisions);
+/// The value of a key in words: "yes", "triangle, sphere".
+std::string words_of(const nlohmann::ordered_json& value);
 /// The figures behind the decisions.
 nlohmann::ordered_json json_of(const SceneNeeds& needs);
 

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/error.h"
+#include "host/format/configuration_json.h"
 #include "host/specialise/test_needs.h"
 
 namespace dynrt::host {
@@ -221,6 +223,37 @@ TEST(Decide, EveryDecisionHasAReason) {
     EXPECT_GT(one.reason.size(), 10u) << one.key;
     EXPECT_NE(one.reason.back(), '.') << one.key;
   }
+}
+
+TEST(Decide, KeysThatTheUserKeepsAreAsInTheGeneralCore) {
+  const CoreConfiguration general = whitted();
+  const auto keep = kept({"scan_out", "stack_depth"}, general);
+  const auto decisions = replaced(decide(of_one_triangle(), general, {}), keep);
+  const auto left = left_out(decisions, general);
+  for (const char* key : {"scan_out", "stack_depth", "mantissa_bits"}) {
+    EXPECT_EQ(std::ranges::count(left, key), 0) << key;
+  }
+  for (const char* key : {"counters", "lights"}) EXPECT_EQ(std::ranges::count(left, key), 1) << key;
+  const auto depth = std::ranges::find(decisions, "stack_depth", &Decision::key);
+  expect(*depth, 31, "as in whitted: --keep asks for it");
+  EXPECT_THAT([&] { kept({"speed"}, general); },
+              ::testing::ThrowsMessage<UserError>(
+                  HasSubstr("--keep speed: unknown; the keys are pipelines, packets, ")));
+  EXPECT_THROW(kept({"about"}, general), UserError);
+}
+
+TEST(Decide, AConfigurationStatesItsReasons) {
+  const CoreConfiguration general = whitted();
+  const auto decisions = decide(of_one_triangle(), general, {});
+  const Json json = configuration_json(decisions, "sail", general, "/folder/whitted.json");
+  EXPECT_EQ(json.at("about"), "made for the scene sail, from the configuration whitted");
+  EXPECT_EQ(json.at("lights").at("reason"), "the scene has no lights: it is lit from the eye");
+  CoreConfiguration read = configuration_of(json);
+  EXPECT_EQ(read.made_for, "sail");
+  EXPECT_EQ(read.made_from, "/folder/whitted.json");
+  EXPECT_EQ(read.packets, 32u);
+  EXPECT_EQ(words_of(json.at("primitives").at("value")), "triangle");
+  EXPECT_EQ(words_of(json.at("counters").at("value")), "no");
 }
 
 }  // namespace

@@ -115,6 +115,7 @@ def header() -> str:
         "  bool of_core = false;  ///< it decides what the core is",
         "  bool required = false;  ///< every configuration states it",
         "  double low = 0;  ///< the least that a number may be",
+        "  double high = 0;  ///< the most",
         "};",
         "",
         "/// Calls visit(key, value) for every key, in the order of the table.",
@@ -123,8 +124,9 @@ def header() -> str:
     ]
     for name, key in KEYS.items():
         facts = [f'"{name}"', _quoted(key.about), _bool(key.of_core), _bool(key.required)]
-        if hasattr(key.kind, "low"):
+        if hasattr(key.kind, "low") and hasattr(key.kind, "high"):
             facts.append(str(0 if getattr(key.kind, "or_zero", False) else key.kind.low))
+            facts.append(str(key.kind.high))
         lines.append(f"  visit(ConfigurationKey{{{', '.join(facts)}}}, configuration.{name});")
     lines += [
         "}",

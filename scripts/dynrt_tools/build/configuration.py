@@ -259,17 +259,16 @@ def tell(step: str) -> None:
     """To the program that has called; once that has ended, nobody needs the result."""
     try:
         print(f"? {step}", flush=True)
-        if sys.stdin.readline():
-            return
     except BrokenPipeError:
-        pass
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    sys.exit(1)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
 
 
 def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of the result."""
     config = read_file(args.file)
+    if args.kind == "check":
+        return pathlib.Path(args.file)
     build = at_period(find_build(args.build), args.clock_ns and period(args.clock_ns))
     if args.clock_ns:
         config["clock_ns"] = 0
@@ -332,6 +331,13 @@ def main() -> int:
         const="verilog",
         help="make a folder with the Verilog and hlsc's reports instead",
     )
+    kinds.add_argument(
+        "--check",
+        dest="kind",
+        action="store_const",
+        const="check",
+        help="make nothing; only say whether the keys keep the rules between them",
+    )
     parser.set_defaults(kind="native")
     parser.add_argument(
         "--clock-ns",
@@ -361,7 +367,7 @@ def main() -> int:
     parser.add_argument(
         "--tell-steps",
         action="store_true",
-        help="for programs: print each step as a line that begins with '? ', and wait for a line",
+        help="for programs: print each step as a line that begins with '? '",
     )
     args = parser.parse_args()
     try:

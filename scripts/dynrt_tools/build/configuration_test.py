@@ -105,6 +105,15 @@ class Configuration(testing.InFolder):
             "--verilog",
         )
 
+    def test_check_makes_nothing(self) -> None:
+        self.assertEqual(self.run_on(THESIS, "--check").stdout, f"{self.file}\n")
+        self.assert_refused(
+            THESIS | {"ways": 4, "lines": 2},
+            "line 1: with ways 4 the key 'lines' must be 4 or more, as a set has a line in each "
+            "way; it is 2",
+            "--check",
+        )
+
     def test_refused_periods(self) -> None:
         for text in ("0", "-3", "ten", "nan", "inf", "10ns"):
             self.assert_refused(
@@ -197,22 +206,20 @@ class Configuration(testing.InFolder):
 
     def test_ends_with_the_program_that_has_called(self) -> None:
         began = self.folder / "began"
-        places = self.with_cmake(f"echo $$ > {began}; echo '[1/2] one'; exec sleep 1000")
+        places = self.with_cmake(f"echo $$ > {began}; while echo '[1/2] one'; do sleep 0.1; done")
         self.written({"like": "thesis"})
         build = self.folder / "build.json"
         build.write_text(json.dumps(self.build), encoding="utf-8")
         with subprocess.Popen(
             [SCRIPT, self.file, "--build", build, "--for-program", "--tell-steps"],
             env=os.environ | places,
-            stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
         ) as called:
-            assert called.stdin and called.stdout and called.stderr
+            assert called.stdout and called.stderr
             self.assertEqual(called.stdout.readline(), "? step 1/2\n")
             compiler = int(began.read_text(encoding="utf-8"))
-            called.stdin.close()
             called.stdout.close()
             self.assertEqual(called.wait(60), 1)
             self.assertEqual(called.stderr.read(), "")

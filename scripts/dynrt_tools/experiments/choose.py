@@ -10,6 +10,7 @@ is cheaper."""
 
 import argparse
 import math
+import pathlib
 import sys
 from collections.abc import Mapping
 
@@ -19,7 +20,7 @@ from dynrt_tools.experiments.error import clock_ns, measures_of
 from dynrt_tools.experiments.flags import MISTAKE, Parser, add_error_arguments
 from dynrt_tools.experiments.rows import aligned
 from dynrt_tools.hardware import devices
-from dynrt_tools.project import Failed, Json
+from dynrt_tools.project import Failed, Json, write_json
 
 DEVICE = devices.DEVICES["ecp5-85"]
 DEFAULT_MEASURE = "primary.t_p99"
@@ -121,6 +122,9 @@ def run_choice(args: argparse.Namespace) -> int:
             f"{best['variant']} is the cheapest with {args.measure} "
             f"{number(measures_of(best)[args.measure])}, the bound being {args.max_error:g}"
         )
+        if args.json:
+            keys = report["variants"][best["variant"]]["configuration"]
+            write_json(args.json, {"measure": args.measure, "configuration": keys})
         return 0
     measurable = [r for r in runs if measures_of(r).get(args.measure) is not None]
     if not measurable:
@@ -155,6 +159,12 @@ def main() -> int:
         metavar="KIND.NAME",
         help=f"the error that is bounded (default: {DEFAULT_MEASURE}); an unknown name "
         "prints the list of measures",
+    )
+    parser.add_argument(
+        "--json",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="write the measure and the keys of the variant that is chosen as data",
     )
     add_error_arguments(parser)
     return guarded(run_choice, parser.parse_args())

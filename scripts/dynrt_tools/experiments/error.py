@@ -21,7 +21,8 @@ TOLD = ("primary.wrong_share", "primary.t_median", "image.differ_share", "image.
 
 def variants_of(args: argparse.Namespace) -> dict[str, Variant]:
     base = table.base_configuration(args.config)
-    own = not args.variants.resolve().is_relative_to(ROOT / "scripts")
+    path = args.variants.resolve()
+    own = not any(path.is_relative_to(ROOT / folder) for folder in ("scripts", "hls/configs"))
     named = "" if args.config.endswith(".json") else args.config
     return table.chosen(table.with_reference(args.variants, base, named, own), args.variant)
 

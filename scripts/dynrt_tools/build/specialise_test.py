@@ -1,9 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """From a scene to the core made for it: its keys, that it renders the same bits, and what it
-refuses.
+refuses. The class Command takes a minute, Cores takes many.
 
-Usage: python3 -m dynrt_tools.specialise.system_test PROGRAM
+Usage: python3 -m dynrt_tools.build.specialise_test PROGRAM [CLASS]
 """
 
 import json
@@ -35,7 +35,7 @@ BALL = {
 }
 
 
-class Specialise(testing.InFolder):
+class Specialised(testing.InFolder):
     def run_program(self, *arguments: str) -> testing.Result:
         return testing.run(PROGRAM, *arguments, cwd=self.folder)
 
@@ -51,6 +51,53 @@ class Specialise(testing.InFolder):
         (self.folder / name).write_text(json.dumps(BALL | changes), encoding="utf-8")
         return name
 
+    def bits(self, name: str) -> bytes:
+        return (self.folder / name).read_bytes()
+
+
+class Command(Specialised):
+    """The whole way once, with nothing measured but the clocks of a small frame."""
+
+    def test_a_core_is_made(self) -> None:
+        ball = self.scene("ball.json", instances=[{"object": "ball", "name": "stands"}])
+        testing.write_tree(
+            self.folder / "made",
+            {
+                "analysis.json": '{"verilog": ["old.v", "../mine.v"]}',
+                "mine.v": "mine",
+                "verilog/old.v": "of an earlier core",
+                "verilog/mine.v": "mine",
+            },
+        )
+        kept = ("--keep", "packets", "--keep=lines", "--size", "16x12", "--no-hardware")
+        page = self.done(
+            "specialise", ball, *kept, "--out", "made", "--json", "figures.json", "--max-slowdown=1"
+        )
+        self.assertRegex(page, r"\n  levels +2 +1 +the scene is one object that stands where it is")
+        self.assertRegex(page, r"\n  clocks of a frame +[0-9,]+ +[0-9,]+ +[0-9.]+ %")
+        stated, analysis = self.read("made/configuration.json"), self.read("made/analysis.json")
+        self.assertEqual((stated["made_for"], stated["made_from"]), ("ball", "fast"))
+        self.assertEqual(stated["packets"]["reason"], "as in fast: --keep asks for it")
+        self.assertEqual(self.read("figures.json"), analysis)
+        self.assertEqual(
+            analysis["configuration"], {k: stated[k] for k in analysis["configuration"]}
+        )
+        self.assertIn("levels", analysis["left_out"])
+        self.assertEqual(analysis["curves"], {"packets": {}, "lines": {}})
+        for core in ("general", "special"):
+            self.assertGreater(analysis["costs"][core]["clocks"], 100)
+        verilog = {path.name for path in (self.folder / "made/verilog").iterdir()}
+        self.assertEqual(verilog, {*analysis["verilog"], "mine.v"})
+        self.assertLess({"dynrt_core.v", "dynrt_core.vh", "intersection.json"}, verilog)
+        self.assertTrue((self.folder / "made/mine.v").exists())
+        model = ("--board", "model", "--size", "16x12")
+        special = ("--config", "made/configuration.json")
+        self.done("render", ball, *model, *special, "--out", "special.png")
+        self.done("render", ball, *model, "--out", "general.png")
+        self.assertEqual(self.bits("special.png"), self.bits("general.png"))
+
+
+class Cores(Specialised):
     def test_a_scene_of_one_object(self) -> None:
         page = self.done("specialise", "office", *SMALL, "--out", "made", "--no-hardware")
         self.assertIn("\n  levels", page)
@@ -72,9 +119,7 @@ class Specialise(testing.InFolder):
         model = ("--board", "model")
         self.done("render", "office", *SMALL, *model, "--specialise", "--out", "special.png")
         self.done("render", "office", *SMALL, *model, "--out", "general.png")
-        self.assertEqual(
-            (self.folder / "special.png").read_bytes(), (self.folder / "general.png").read_bytes()
-        )
+        self.assertEqual(self.bits("special.png"), self.bits("general.png"))
 
     def test_the_verilog_gives_the_general_cores_bits(self) -> None:
         said = self.done("compare", "lamps", *SMALL, "--specialise")
@@ -183,11 +228,8 @@ class Specialise(testing.InFolder):
         self.assertEqual((general[0], general[-1]), (False, True))
         self.done(*mine[:2], "--board", "model", *SMALL, "--frames", "3", "--out", "plain")
         for i in range(3):
-            self.assertEqual(
-                (self.folder / f"mixed/frame_{i:04}.png").read_bytes(),
-                (self.folder / f"plain/frame_{i:04}.png").read_bytes(),
-                i,
-            )
+            frame = f"frame_{i:04}.png"
+            self.assertEqual(self.bits(f"mixed/{frame}"), self.bits(f"plain/{frame}"), i)
 
 
 if __name__ == "__main__":
