@@ -30,6 +30,16 @@ class Written(GenerateCase):
         )
         self.assertIn("static constexpr double kEpsilon = 0.25;", text)
 
+    def test_enumerations(self) -> None:
+        self.written()
+        text = (self.out / "choices.h").read_text(encoding="utf-8")
+        self.assertIn(
+            "enum class Origins : std::uint8_t {\n"
+            "  /// every slice has its ray's, and subtracts it from the plane\n  kEach,\n",
+            text,
+        )
+        self.assertNotIn("Rounding", text)  # hls/float.h has it
+
     def test_defaults(self) -> None:
         text = self.written()
         for line in (

@@ -1,8 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""A new key needs one line of the table of keys: a copy of it with one more is generated and compiled
-with the project's own sources, all unchanged, into a program that reads the key from JSON, writes it
-and finds it in the struct of the units.
+"""A new key needs its record in the table of keys and no more: a copy of the table with one more is
+generated and compiled with the project's own sources, all unchanged, into a program that reads the
+key from JSON, writes it, and finds it in the struct of the units, with its enumeration, and in what
+the host asks of keys: whether the memory depends on it, and how a core for a scene has it.
 
 The compiler may be named as argument.
 """
@@ -18,25 +19,46 @@ from generate_case import GENERATE, GenerateCase
 ROOT = GENERATE.parents[2]
 COMPILER = sys.argv.pop() if len(sys.argv) > 1 else "clang++-19"
 TABLE = "KEYS: dict[str, Key] = {\n"
-KEY = '    "banks": Key(Whole(1, 4), "kBanks", "of each cache", 1),\n'
+KEY = """\
+    "order": Key(
+        Choice(
+            "ChildOrder",
+            {"near": "kNear", "far": "kFar"},
+            "The child that rays enter first.",
+            {"near": "the nearer one", "far": "the farther one"},
+        ),
+        "kOrder",
+        "of a node's children",
+        "near",
+        in_memory=False,
+        kept=HITS_STAY,
+    ),
+"""
 PROGRAM = """\
-#include <algorithm>
-
 #include "configs/full.h"
 #include "host/format/configuration_json.h"
 
-static_assert(dynrt::config::full::kBanks == 1);
+static_assert(dynrt::config::full::kOrder == dynrt::ChildOrder::kNear);
 
 int main() {
   using namespace dynrt;
   const auto listed = listed_configurations();
   if (listed.empty()) return 1;
   for (const CoreConfiguration& one : listed) {
-    if (one.banks != 1 || configuration_of(json_of(one)) != one) return 2;
+    if (one.order != ChildOrder::kNear || configuration_of(json_of(one)) != one) return 2;
   }
-  const auto read = configuration_of(Json::parse(R"({"like": "full", "banks": 3})"));
-  if (read.banks != 3 || value_of(read, "banks") != 3 || json_of(read).at("banks") != 3) return 3;
-  return configuration_of<config::full>().banks == 1 ? 0 : 4;
+  const auto read = configuration_of(Json::parse(R"({"like": "full", "order": "far"})"));
+  if (read.order != ChildOrder::kFar || json_of(read).at("order") != "far") return 3;
+  if (configuration_of<config::full>().order != ChildOrder::kNear) return 4;
+  // Images that are laid out with another value are taken, and cores for a scene keep the value.
+  int found = 5;
+  for_each_key(read, [&](const ConfigurationKey& key, const auto&) {
+    if (key.name == "order" && key.of_core && !key.in_memory &&
+        key.kept == "hits and pixels do not depend on it") {
+      found = 0;
+    }
+  });
+  return found;
 }
 """
 INCLUDES = ("", "hls", "hls/include", "hls/native")

@@ -84,6 +84,11 @@ Json value_of(const CoreConfiguration& configuration, std::string_view name) {
 CoreConfiguration configuration_of(const Json& json) {
   CoreConfiguration configuration = base_of(json);
   configuration.name = json.value("name", "");
+  for (const auto& [key, value] : json.items()) {
+    const std::string_view instead = in_place_of(key);
+    if (instead.empty()) continue;
+    throw std::invalid_argument("the key '" + key + "' is gone; " + std::string(instead));
+  }
   for_each_key(configuration, [&](const ConfigurationKey& key, auto& value) {
     const auto stated = json.find(key.name);
     if (stated == json.end()) return;

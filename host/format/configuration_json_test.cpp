@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/format/configuration_json.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,6 +64,22 @@ TEST(ConfigurationJson, IsLikeAListedConfiguration) {
   expected.packets = 4;
   EXPECT_EQ(read, expected);
   EXPECT_THROW(configuration_of(Json{{"like", "thesys"}}), std::invalid_argument);
+}
+
+TEST(ConfigurationJson, SaysWhatHasThePlaceOfAKeyThatIsGone) {
+  EXPECT_THAT([] { configuration_of(Json{{"divider", "reciprocal"}}); },
+              ::testing::ThrowsMessage<std::invalid_argument>(
+                  ::testing::HasSubstr("the key 'divider' is gone; 'datapath' = \"fast\" has it")));
+}
+
+TEST(ConfigurationJson, HoldsAConfigurationAgainstTheRules) {
+  for (const CoreConfiguration& one : listed_configurations()) {
+    EXPECT_EQ(broken_rule(one), "") << one.name;
+  }
+  CoreConfiguration configuration = *listed_configuration("watertight");
+  configuration.levels = 1;
+  EXPECT_THAT(std::string(broken_rule(configuration)),
+              ::testing::StartsWith("with levels 1 the key 'triangle_test' must be unit_triangle"));
 }
 
 TEST(ConfigurationJson, RefusesWhatIsOfAnotherKind) {

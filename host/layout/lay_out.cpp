@@ -63,13 +63,6 @@ void check_before(const Scene& scene, const CoreInfo& core) {
   check_matrices(scene, core);
 }
 
-/// The keys on which no word of the memory depends, or, as of line_nodes, only the order of words,
-/// which every core can read. Any other key counts, so that a new one cannot be forgotten.
-constexpr std::string_view kBesideTheMemory[] = {
-    "line_nodes",   "packets",        "packet_rays",  "lines",    "ways",
-    "object_slots", "triangle_slots", "epsilon",      "lights",   "reflections",
-    "scan_out",     "crossing",       "uncompressed", "counters", "clock_ns"};
-
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;
   if (options.fit) {
@@ -134,10 +127,7 @@ MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
 
 void check_laid_out_for(const MemoryImage& image, const CoreInfo& core) {
   for_each_key(core, [&](const ConfigurationKey& key, const auto&) {
-    if (!key.of_core ||
-        std::ranges::find(kBesideTheMemory, key.name) != std::end(kBesideTheMemory)) {
-      return;
-    }
+    if (!key.of_core || !key.in_memory) return;
     const Json laid = value_of(image.core(), key.name);
     const Json has = value_of(core, key.name);
     if (laid == has) return;

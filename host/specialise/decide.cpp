@@ -30,8 +30,10 @@ Decision decision(const ConfigurationKey& key, const RuleContext& context) {
   const Json general = value_of(*context.general, key.name);
   const Rule* rule = rule_of(key.name);
   if (rule == nullptr) {
+    const std::string_view why =
+        key.kept.empty() ? std::string_view("another value would change the bits") : key.kept;
     return {std::string(key.name), general,
-            fmt::format("as in {}: another value would change the bits", context.general->name)};
+            fmt::format("as in {}: {}", context.general->name, why)};
   }
   Need need = rule->need(context);
   return {std::string(key.name), need.value.is_null() ? general : bounded(key, need.value, general),

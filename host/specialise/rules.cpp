@@ -28,11 +28,13 @@ unsigned bits_for(std::size_t end) {
   return static_cast<unsigned>(std::bit_width(std::max<std::size_t>(end, 1) - 1));
 }
 
-/// Whether the scene is rendered with one tree alone, and the general core's parts allow it
-/// (RULES in hls/configs/configurations/rules.py).
+/// Whether the scene is rendered with one tree alone, and no key of the general core needs two.
 bool has_one_level(const RuleContext& c) {
   if (!c.needs.one_level || c.two_levels) return false;
-  return c.general == nullptr || c.general->triangle_test == TriangleTest::kUnitTriangle;
+  if (c.general == nullptr) return true;
+  CoreConfiguration one = *c.general;
+  one.levels = 1;
+  return broken_rule(one).empty();
 }
 
 unsigned bounces(const RuleContext& c) {
@@ -183,21 +185,7 @@ Need counters(const RuleContext&) { return {false, "the picture does not depend 
 
 Need scan_out(const RuleContext&) { return {false, "the picture does not need the VGA display"}; }
 
-/// A key that keeps its value: no new value, and the reason.
-Need kept(const RuleContext& c, const char* why) {
-  return {{}, fmt::format("as in {}: {}", c.general->name, why)};
-}
-
-Need measured(const RuleContext& c) { return kept(c, "measurements decide this number"); }
-Need epsilon(const RuleContext& c) {
-  return kept(c, "with another value, rays would hit other triangles");
-}
-Need hits_stay(const RuleContext& c) { return kept(c, "hits and pixels do not depend on it"); }
-Need of_board(const RuleContext& c) { return kept(c, "the board decides it"); }
-
 constexpr Rule kRules[] = {
-    {"packets", Holds::kAlways, measured},
-    {"lines", Holds::kAlways, measured},
     {"levels", Holds::kFromNeedOn, levels},
     {"stack_depth", Holds::kFromNeedOn, stack},
     {"object_slots", Holds::kAlways, object_slots},
@@ -213,16 +201,6 @@ constexpr Rule kRules[] = {
     {"main_first", Holds::kAlways, main_first},
     {"counters", Holds::kAlways, counters},
     {"scan_out", Holds::kAlways, scan_out},
-    {"epsilon", Holds::kAlways, epsilon},
-    {"memory_clocks", Holds::kAlways, of_board},
-    {"memory", Holds::kAlways, of_board},
-    {"port_bytes", Holds::kAlways, of_board},
-    {"pixel_bits", Holds::kAlways, of_board},
-    {"clock_ns", Holds::kAlways, of_board},
-    {"ways", Holds::kAlways, hits_stay},
-    {"line_nodes", Holds::kAlways, measured},
-    {"second_level", Holds::kAlways, hits_stay},
-    {"pipelines", Holds::kAlways, hits_stay},
 };
 
 }  // namespace

@@ -15,7 +15,10 @@ from configurations.kinds import Choice, Flag, Kind, Number, Sentence, Subset, W
 class Key:
     """One key. `constant` is its name in the struct that the units take; None: the units do not
     know it. `default` None: every configuration states it. `of_core` false: it is about the
-    configuration and decides nothing of the core."""
+    configuration and decides nothing of the core. `in_memory` false: no word of the memory depends
+    on it, or only the order of words, which every core can read. `kept`: why a core that is made for
+    a scene has the value of its general core; empty: a rule of host/specialise decides, or another
+    value would change the bits."""
 
     kind: Kind
     constant: str | None
@@ -23,23 +26,76 @@ class Key:
     default: object = None
     inherited: bool = True  # by a configuration that is like another
     of_core: bool = True
+    in_memory: bool = True
+    kept: str = ""
 
     @property
     def required(self) -> bool:
         return self.default is None
 
 
+MEASURED = "measurements decide this number"
+HITS_STAY = "hits and pixels do not depend on it"
+OF_BOARD = "the board decides it"
+
 ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
-MEMORIES = Choice("MemoryPath", {"banks": "kBanks", "port": "kPort"})
-CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
-DATAPATHS = Choice("Datapath", {"thesis": "kThesis", "fast": "kFast"})
-ORIGINS = Choice("Origins", {"each": "kEach", "common": "kCommon"})
+MEMORIES = Choice(
+    "MemoryPath",
+    {"banks": "kBanks", "port": "kPort"},
+    "The core's way to the memory that holds the scene.",
+    {
+        "banks": "three banks of SRAM (thesis chapter 7)",
+        "port": "any memory behind one port (units/memory_port.h)",
+    },
+)
+CROSSINGS = Choice(
+    "Crossing",
+    {"none": "kNone", "split": "kSplit", "remember": "kRemember"},
+    "The treatment of a packet whose rays enter the children in different orders (thesis 3.1.3).",
+    {
+        "none": "the first ray's order is taken: right for rays of one origin",
+        "split": "packets are split by the signs of their rays' directions",
+        "remember": "the child that is left out at first is remembered",
+    },
+)
+DATAPATHS = Choice(
+    "Datapath",
+    {"thesis": "kThesis", "fast": "kFast"},
+    "The core's datapath.",
+    {
+        "thesis": "all rays of a packet meet what any of them meets (thesis 4.3.2), slices divide "
+        "(6.1.1), the transformation makes camera rays (6.2.1), every operation is rounded, and "
+        "leaves are nodes",
+        "fast": "a later one, smaller and quicker (units/packet.h says what is different)",
+    },
+)
+ORIGINS = Choice(
+    "Origins",
+    {"each": "kEach", "common": "kCommon"},
+    "The origins of a packet's rays in the traversal.",
+    {
+        "each": "every slice has its ray's, and subtracts it from the plane",
+        "common": "one for all, subtracted once for the packet: reflected rays have none",
+    },
+)
 MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
+    "The stored form of a triangle (thesis 5.1).",
+    {
+        "normal_consistent": "12 numbers: the plane's normal is a row",
+        "memory_efficient": "9 numbers, and two bits that say which column is (1, 1, 1)",
+    },
 )
 TRIANGLE_TESTS = Choice(
-    "TriangleTest", {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"}
+    "TriangleTest",
+    {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"},
+    "The test of a ray against a triangle.",
+    {
+        "unit_triangle": "the triangle's matrix takes the ray to the unit triangle (thesis 5.2)",
+        "watertight": "an exact rule for the edges: a ray's shear takes the corners to the plane, or "
+        "with the fast datapath its plane map does, in integers",
+    },
 )
 PRIMITIVES = Subset("Primitives", ("triangle", "sphere", "rectangle"))
 
@@ -73,13 +129,21 @@ KEYS: dict[str, Key] = {
         "kPipelines",
         "pipelines that trace packets; they share ray generation, the memory and the writing of pixels",
         1,
+        kept=HITS_STAY,
     ),
-    "packets": Key(Whole(1, 64), "kPackets", "packets in flight in a pipeline"),
+    "packets": Key(
+        Whole(1, 64),
+        "kPackets",
+        "packets in flight in a pipeline",
+        in_memory=False,
+        kept=MEASURED,
+    ),
     "packet_rays": Key(
         Whole(4, 16, power_of_two=True),
         "kPacketRays",
         "rays of a packet: 4 are 2x2 pixels, 8 are 4x2, 16 are 4x4",
         4,
+        in_memory=False,
     ),
     "datapath": Key(
         DATAPATHS,
@@ -93,6 +157,8 @@ KEYS: dict[str, Key] = {
         Whole(1, 512, power_of_two=True),
         "kLines",
         "lines of each cache; its nodes or entries, where a line has several",
+        in_memory=False,
+        kept=MEASURED,
     ),
     "ways": Key(
         Whole(1, 4, power_of_two=True),
@@ -100,6 +166,8 @@ KEYS: dict[str, Key] = {
         "ways of each cache: lines that an address may lie in; a miss replaces the one that "
         "pseudo-LRU names",
         1,
+        in_memory=False,
+        kept=HITS_STAY,
     ),
     "levels": Key(
         Whole(1, 2),
@@ -119,31 +187,45 @@ KEYS: dict[str, Key] = {
         "kObjectSlots",
         "objects remembered per packet; 0: it enters each as often as it is listed",
         8,
+        in_memory=False,
     ),
     "triangle_slots": Key(
         Whole(0, 32),
         "kTriangleSlots",
         "primitives remembered per packet; 0: it intersects each as often as it is listed",
         8,
+        in_memory=False,
     ),
     "exponent_bits": Key(Whole(2, 10), "Real::kExponentBits", "of the float, see hls/float.h"),
     "mantissa_bits": Key(Whole(8, 29), "Real::kMantissaBits", "stored mantissa bits of the float"),
     "rounding": Key(ROUNDINGS, "Real::kRounding", "of every operation of the float"),
-    "epsilon": Key(Number(0, 1), "kEpsilon", "how far outside the unit triangle a hit may lie"),
+    "epsilon": Key(
+        Number(0, 1),
+        "kEpsilon",
+        "how far outside the unit triangle a hit may lie",
+        in_memory=False,
+        kept="with another value, rays would hit other triangles",
+    ),
     "memory_clocks": Key(
         Whole(1, 16),
         "kMemoryClocks",
         "clocks that the scene's banks take for a read; more than 1 stand for a slower memory",
         1,
+        kept=OF_BOARD,
     ),
     "memory": Key(
         MEMORIES,
         "kMemory",
         "what holds the scene: banks of SRAM, or any memory behind one port",
         "banks",
+        kept=OF_BOARD,
     ),
     "port_bytes": Key(
-        Whole(2, 32, power_of_two=True), "kPortBytes", "bytes that the port moves in a clock", 8
+        Whole(2, 32, power_of_two=True),
+        "kPortBytes",
+        "bytes that the port moves in a clock",
+        8,
+        kept=OF_BOARD,
     ),
     "second_level": Key(
         Whole(4, 128, power_of_two=True, or_zero=True),
@@ -151,6 +233,7 @@ KEYS: dict[str, Key] = {
         "kilobytes of a second level of cache before the port, which all pipelines share, in four "
         "ways; 0: none",
         0,
+        kept=HITS_STAY,
     ),
     "pixel_bits": Key(
         Whole(16, 32, power_of_two=True),
@@ -158,21 +241,36 @@ KEYS: dict[str, Key] = {
         "bits of a pixel in the memory: 32, a byte for each colour and one that is empty, or 16, five "
         "for red and blue and six for green",
         32,
+        kept=OF_BOARD,
     ),
-    "lights": Key(Whole(0, 8), "kLights", "passes of light rays from a packet's hits, at most", 0),
-    "reflections": Key(Whole(0, 15), "kReflections", "bounces of a ray, at most", 0),
+    "lights": Key(
+        Whole(0, 8),
+        "kLights",
+        "passes of light rays from a packet's hits, at most",
+        0,
+        in_memory=False,
+    ),
+    "reflections": Key(
+        Whole(0, 15),
+        "kReflections",
+        "bounces of a ray, at most",
+        0,
+        in_memory=False,
+    ),
     "scan_out": Key(
         Flag(),
         None,
         "whether the board shows its framebuffer on a VGA display",
         False,
         inherited=False,
+        in_memory=False,
     ),
     "crossing": Key(
         CROSSINGS,
         "kCrossing",
         "what happens to a packet whose rays disagree on the nearer child",
         "none",
+        in_memory=False,
     ),
     "origins": Key(
         ORIGINS,
@@ -199,7 +297,11 @@ KEYS: dict[str, Key] = {
         Whole(2, 17), "kMatrixBits", "of the numbers of matrices within the core", 17
     ),
     "uncompressed": Key(
-        Flag(), "kUncompressed", "whether a frame may have every ray's origin transformed", True
+        Flag(),
+        "kUncompressed",
+        "whether a frame may have every ray's origin transformed",
+        True,
+        in_memory=False,
     ),
     "one_colour": Key(
         Flag(),
@@ -213,6 +315,8 @@ KEYS: dict[str, Key] = {
         "nodes of a line of the node cache, which come in one read and are a subtree; from 2 on, a "
         "line of the list cache has twice as many entries",
         1,
+        in_memory=False,
+        kept=MEASURED,
     ),
     "main_first": Key(
         Flag(),
@@ -226,6 +330,14 @@ KEYS: dict[str, Key] = {
         None,
         "nanoseconds of the clock that hlsc schedules the units for; 0: those of the build",
         0,
+        in_memory=False,
+        kept=OF_BOARD,
     ),
-    "counters": Key(Flag(), "kCounters", "whether the core counts what its units do", True),
+    "counters": Key(
+        Flag(),
+        "kCounters",
+        "whether the core counts what its units do",
+        True,
+        in_memory=False,
+    ),
 }

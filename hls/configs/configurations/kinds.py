@@ -9,7 +9,7 @@ constant, and of what type a CoreConfiguration holds it.
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 
@@ -91,10 +91,13 @@ class Number:
 
 @dataclass(frozen=True)
 class Choice:
-    """One of several names, each an enumerator of the C++ type `cpp`."""
+    """One of several names, each an enumerator of the C++ type `cpp`. With `about` that type is made
+    from here, with what each name means; without it the type is declared elsewhere."""
 
     cpp: str
     enumerators: Mapping[str, str]
+    about: str = ""
+    meanings: Mapping[str, str] = field(default_factory=dict)
 
     def allows(self, value: object) -> bool:
         return isinstance(value, str) and value in self.enumerators

@@ -160,10 +160,8 @@ def checked(name: str, stated: object) -> Configuration:
     for rule in RULES:
         is_given = all(config[key] == value for key, value in rule.given.items())
         if is_given and not rule.wants.allows(config[rule.other]):
-            given = " and ".join(f"{key} {json.dumps(v)}" for key, v in rule.given.items())
             raise Refused(
-                f"{where}: with {given} the key '{rule.other}' must be {rule.wants}, as {rule.why}; "
-                f"it is {json.dumps(config[rule.other])}",
+                f"{where}: {rule}; it is {json.dumps(config[rule.other])}",
                 _line_of(stated, rule.other),
             )
     return config

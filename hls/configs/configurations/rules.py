@@ -3,9 +3,12 @@
 """What the values of keys ask of another key."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
+
+
+Literal = Callable[[object], str]  # the C++ constant of a value
 
 
 class Wants(Protocol):
@@ -13,6 +16,9 @@ class Wants(Protocol):
 
     def allows(self, value: object) -> bool:
         """Whether this is one of them."""
+
+    def condition(self, value: str, literal: Literal) -> str:
+        """The C++ condition that an expression has one of them."""
 
     def __str__(self) -> str:
         """All of them, in words."""
@@ -27,6 +33,9 @@ class OneOf:
     def allows(self, value: object) -> bool:
         return value in self.values
 
+    def condition(self, value: str, literal: Literal) -> str:
+        return " || ".join(f"{value} == {literal(one)}" for one in self.values)
+
     def __str__(self) -> str:
         return " or ".join(v if isinstance(v, str) else json.dumps(v) for v in self.values)
 
@@ -39,6 +48,9 @@ class AtLeast:
 
     def allows(self, value: object) -> bool:
         return isinstance(value, int) and value >= self.low
+
+    def condition(self, value: str, literal: Literal) -> str:
+        return f"{value} >= {literal(self.low)}"
 
     def __str__(self) -> str:
         return f"{self.low} or more"
@@ -53,6 +65,9 @@ class AtMost:
     def allows(self, value: object) -> bool:
         return isinstance(value, int) and value <= self.high
 
+    def condition(self, value: str, literal: Literal) -> str:
+        return f"{value} <= {literal(self.high)}"
+
     def __str__(self) -> str:
         return f"{self.high} at most"
 
@@ -65,6 +80,11 @@ class Rule:
     other: str
     wants: Wants
     why: str
+
+    def __str__(self) -> str:
+        """A sentence without its full stop."""
+        given = " and ".join(f"{key} {json.dumps(value)}" for key, value in self.given.items())
+        return f"with {given} the key '{self.other}' must be {self.wants}, as {self.why}"
 
 
 FAST = {"datapath": "fast"}
