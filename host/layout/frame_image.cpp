@@ -9,7 +9,6 @@
 #include <span>
 
 #include "host/error.h"
-#include "host/layout/add_tree.h"
 #include "host/layout/limits.h"
 #include "host/layout/tree_image.h"
 #include "host/memory/matrix_numbers.h"

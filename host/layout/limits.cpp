@@ -11,9 +11,6 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr char kMatricesWithBoxes[] =
-    "matrices (triangles, instances, their boxes, lights and the camera)";
-
 /// Throws if `needed` exceeds the limit that follows from a key's number of bits.
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit,
                  const char* key, unsigned bits, unsigned memory_bits) {
@@ -63,9 +60,11 @@ void check_matrices(const Scene& scene, const CoreInfo& core) {
   const std::size_t matrices = matrices_taken(numbers, core.triangle_matrix) +
                                scene.instances.size() * of_instance + 1 + scene.lights.size() +
                                matrices_of_boxes(scene) * boxes_of_instance(scene, core);
-  check_limit(scene, core.tests_world_box() ? kMatricesWithBoxes : kMatrices,
-              std::max(numbers, matrices), std::size_t{1} << core.matrix_bits, "matrix_bits",
-              core.matrix_bits, kMatrixBits);
+  const char* const what =
+      core.tests_world_box() ? "matrices (triangles, instances, their boxes, lights and the camera)"
+                             : "matrices (triangles, instances, lights and the camera)";
+  check_limit(scene, what, std::max(numbers, matrices), std::size_t{1} << core.matrix_bits,
+              "matrix_bits", core.matrix_bits, kMatrixBits);
 }
 
 std::uint32_t first_colour(const Scene& scene) {

@@ -7,7 +7,6 @@
 #include <glm/matrix.hpp>
 
 #include "host/error.h"
-#include "host/layout/add_tree.h"
 #include "host/layout/limits.h"
 #include "host/layout/tree_image.h"
 #include "host/memory/matrix_numbers.h"
