@@ -45,12 +45,13 @@ std::vector<Decision> FormatWish::choose(const SceneArguments& scene, const std:
                                          const std::string& out, unsigned jobs) const {
   const fs::path formats =
       fs::path(this_build().scripts).parent_path() / "hls" / "configs" / "formats.json";
+  const std::string frame = fmt::format("{}x{}", scene.width, scene.height);
   const TemporaryFolder folder;
   const std::string chosen = (folder / "chosen.json").string();
   std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
                                     "choose",
                                     scene.scene,
-                                    "--size=" + scene.size,
+                                    "--size=" + frame,
                                     "--config=" + general,
                                     fmt::format("--max-error={}", *max_error),
                                     "--variants=" + formats.string(),
@@ -69,7 +70,7 @@ std::vector<Decision> FormatWish::choose(const SceneArguments& scene, const std:
           {key, best.at("configuration").at(key),
            fmt::format("of {} the cheapest that keeps {} within {:g} in a frame of {}",
                        formats.filename().string(), best.at("measure").get<std::string>(),
-                       *max_error, scene.size)});
+                       *max_error, frame)});
     }
   }
   return decisions;

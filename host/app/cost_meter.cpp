@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "host/app/board_frame.h"
 #include "host/render/figures.h"
 
 namespace dynrt::host {
@@ -19,13 +20,13 @@ CostMeter::CostMeter(SceneFile& file, const AnalysedFrames& frames) : file_(file
 FrameCosts CostMeter::count(const LoweredCore& core, unsigned packets, unsigned lines) {
   const std::tuple asked(core.configuration, packets, lines);
   if (const auto known = known_.find(asked); known != known_.end()) return known->second;
-  FrameOptions options = frame_.options(file_.arguments().size);
+  FrameOptions options = frame_.options(file_.arguments());
   options.packets = packets;
   options.lines = lines;
   // A new board, as the caches of another hold what its last frame left there.
   const auto board = open_board({"model", core.configuration, "", core.verilog}, options);
   if (configuration_ != core.configuration) {
-    prepared_ = prepare(file_, options.width, options.height, &board->core());
+    prepared_ = prepare(file_, &board->core());
     configuration_ = core.configuration;
   }
   BoardProgress progress(

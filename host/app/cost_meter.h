@@ -9,7 +9,7 @@
 #include <string>
 #include <tuple>
 
-#include "host/app/board_frame.h"
+#include "host/app/prepare.h"
 #include "host/app/scene_analysis.h"
 #include "host/specialise/search.h"
 

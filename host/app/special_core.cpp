@@ -59,7 +59,7 @@ class Search {
         name_(core_name(file.arguments().scene)),
         kept_(kept(wishes.keep, general)),
         meter_(file, wishes.frames) {
-    frame_ = fmt::format("a frame of {}{}", file.arguments().size,
+    frame_ = fmt::format("a frame of {}x{}{}", file.arguments().width, file.arguments().height,
                          analysis.needs.frames > 1 ? " at time 0" : "");
   }
 
@@ -79,7 +79,7 @@ class Search {
         return count(measured, general_.packets, general_.lines);
       });
       const unsigned nodes = best_layout(layouts);
-      found = layout_keys(nodes, general_, layout_reason(layouts, nodes, frame_));
+      found = {{"line_nodes", nodes, layout_reason(layouts, nodes, frame_)}};
       measured = written(fmt::format("{}_nodes", nodes), joined(most, being_measured(nodes)));
     }
     CountSearch search{.packets = general_.packets, .lines = general_.lines, .frame = frame_};
@@ -131,9 +131,8 @@ class Search {
   }
 
   /// Its counters tell what it reads, and cost no clock.
-  Decisions being_measured(unsigned nodes) const {
-    return joined(layout_keys(nodes, general_, "being measured"),
-                  {{"counters", true, "being measured"}});
+  static Decisions being_measured(unsigned nodes) {
+    return {{"line_nodes", nodes, "being measured"}, {"counters", true, "being measured"}};
   }
   /// The numbers to try; none where the memory or the user leaves no choice.
   std::vector<unsigned> nodes_of_a_line(const Decisions& most) const {

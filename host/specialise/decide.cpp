@@ -11,7 +11,6 @@
 
 #include "host/error.h"
 #include "host/format/configuration_json.h"
-#include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
 
@@ -68,7 +67,7 @@ std::vector<Decision> kept(const std::vector<std::string>& keys, const CoreConfi
   std::vector<Decision> decisions;
   for (const std::string& key : keys) {
     if (std::ranges::find(known, key) == known.end()) {
-      refuse(messages::kNoKeyToKeep, key, fmt::format("{}", fmt::join(known, ", ")));
+      refuse("--keep {}: unknown; the keys are {}", key, fmt::format("{}", fmt::join(known, ", ")));
     }
     decisions.push_back(
         {key, value_of(general, key), fmt::format("as in {}: --keep asks for it", general.name)});

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "host/words.h"
-#include "units/memory_format.h"
 
 namespace dynrt::host {
 
@@ -115,17 +114,6 @@ unsigned best_layout(const Layouts& layouts) {
     return std::tuple(slow, bytes_of(one.second), one.first);
   };
   return std::ranges::min_element(layouts, {}, rank)->first;
-}
-
-std::vector<Decision> layout_keys(unsigned nodes, const CoreConfiguration& general,
-                                  const std::string& reason) {
-  std::vector<Decision> keys = {{"line_nodes", nodes, reason}};
-  const unsigned length = nodes * kNodeBytes;
-  for_each_key(general, [&](const ConfigurationKey& key, const auto&) {
-    if (key.name != "second_line" || length <= general.second_line || length > key.high) return;
-    keys.push_back({"second_line", length, fmt::format("a line of {} nodes lies in one", nodes)});
-  });
-  return keys;
 }
 
 std::string layout_reason(const Layouts& layouts, unsigned chosen, const std::string& frame) {

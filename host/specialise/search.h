@@ -47,10 +47,6 @@ Layouts try_layouts(const std::vector<unsigned>& rising,
                     const std::function<FrameCosts(unsigned nodes)>& costs);
 /// The number that reads the fewest bytes among those that are about as fast as the fastest.
 unsigned best_layout(const Layouts& layouts);
-/// The keys of a core with so many nodes in a line. A line of the second level is made as long, if
-/// it may be.
-std::vector<Decision> layout_keys(unsigned nodes, const CoreConfiguration& general,
-                                  const std::string& reason);
 /// Why this number, beside all others that were measured.
 std::string layout_reason(const Layouts& layouts, unsigned chosen, const std::string& frame);
 

@@ -110,18 +110,5 @@ TEST(Search, GivesAllLayoutsAsReason) {
   EXPECT_EQ(layout_reason({{1, {50, {}}}}, 1, "a frame"), "with 1 a frame takes 50 clocks");
 }
 
-TEST(Search, ALineOfTheSecondLevelHoldsOneOfTheFirst) {
-  CoreConfiguration general;
-  general.second_line = 16;
-  const auto lines = [&](unsigned nodes) {
-    const auto keys = layout_keys(nodes, general, "measured");
-    EXPECT_EQ(keys.at(0).value, nodes);
-    return keys.size() == 1 ? 0 : keys.at(1).value.get<int>();
-  };
-  EXPECT_EQ(lines(2), 0);
-  EXPECT_EQ(lines(4), 32);
-  EXPECT_EQ(lines(8), 0) << "it has 32 bytes at most";
-}
-
 }  // namespace
 }  // namespace dynrt::host

@@ -1,12 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The messages about keys to keep, and about a frame that exceeds its configuration.
+// The messages about a frame that exceeds its configuration.
 #pragma once
 
 namespace dynrt::host::messages {
 
-inline constexpr char kNoKeyToKeep[] = "--keep {}: unknown; the keys are {}";
 inline constexpr char kExceeded[] =
     "{} needs {} {}, and configuration {}, made for '{}', has {}; specialise again for this scene "
     "and all its frames";

@@ -147,7 +147,6 @@ def header() -> str:
         "  /// Why a core that is made for a scene has the value of its general core, or empty.",
         "  std::string_view kept;",
         "  double low = 0;  ///< the least that a number may be",
-        "  double high = 0;  ///< the most",
         "};",
         "",
         "/// Calls visit(key, value) for every key, in the order of the table.",
@@ -159,9 +158,8 @@ def header() -> str:
             *(f'"{name}"', _quoted(key.about), _bool(key.of_core), _bool(key.required)),
             *(_bool(key.in_memory), _quoted(key.kept)),
         ]
-        if hasattr(key.kind, "low") and hasattr(key.kind, "high"):
+        if hasattr(key.kind, "low"):
             facts.append(str(0 if getattr(key.kind, "or_zero", False) else key.kind.low))
-            facts.append(str(key.kind.high))
         lines.append(f"  visit(ConfigurationKey{{{', '.join(facts)}}}, configuration.{name});")
     lines += [
         "}",
