@@ -86,10 +86,7 @@ class Guide {
     if (!instance_) return;
     const Instance& instance = image_.scene.instances[*instance_];
     const ObjectImage::Object& object = image_.objects.objects[instance.object];
-    Level level{.to_world = instance.transform * glm::inverse(object.to_space)};
-    for (const glm::dvec3& p : {object.box.low, object.box.high}) {
-      level.box.include(glm::dvec3(object.to_space * glm::dvec4(p, 1.0)));
-    }
+    Level level{.to_world = instance.transform, .box = object.box};
     json["name"] = image_.scene.objects[instance.object].name;
     json["box"] = corners_of(level, level.box);
     levels_[1] = std::move(level);
