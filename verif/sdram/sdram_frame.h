@@ -59,8 +59,9 @@ SdramFrame sdram_frame(host::CoreInfo info, const std::string& scene,
   result.refresh_clocks = 2 * (2 + Timing::kPrechargeToActivate + Timing::kRefreshToActivate);
   const unsigned stages = stages_of(schedules.controller);
   const auto memory = [&](Core<C>& core, Banks<C>& banks) -> std::unique_ptr<hls::Device> {
-    return std::make_unique<SdramMemory<C, S>>(core.memory.read, core.memory.beat, core.memory.write, banks, system,
-                                               stages, bench, result.use);
+    return std::make_unique<SdramMemory<C, S>>(core.memory.read, core.memory.beat,
+                                               core.memory.write, banks, system, stages, bench,
+                                               result.use);
   };
   result.frame = native_frame<C>(std::move(info), scene, options, schedules.core, memory);
   result.report = bench.report();

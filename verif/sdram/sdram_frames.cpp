@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Renders a frame of a native core with an SDRAM behind its port, and writes its costs and its waits
-// as JSON. `dynrt report board` makes its tables from it.
+// Renders a frame of a native core with an SDRAM behind its port, and writes its costs and its
+// waits as JSON. `dynrt report board` makes its tables from it.
 #include "sdram/sdram_frames.h"
 
 #include <fmt/format.h>

@@ -21,6 +21,9 @@ from collections.abc import Callable, Sequence
 from dynrt_tools import project
 
 
+CTEST_SECONDS = 1500  # after which ctest stops a test that states no time of its own
+
+
 @dataclasses.dataclass(frozen=True)
 class Part:
     """One of several parts, and how often all parts came before."""
@@ -64,15 +67,19 @@ def chosen(text: str, number: Callable[[], int]) -> Part:
     return Part(chosen_by % of, of, chosen_by // of)
 
 
-def slow_tests(build: pathlib.Path) -> list[str]:
-    """The names of the tests labelled slow."""
+def slow_tests(build: pathlib.Path) -> dict[str, float]:
+    """The tests labelled slow, each with the seconds after which ctest stops it."""
     done = subprocess.run(
         ["ctest", "--test-dir", str(build), "--show-only=json-v1", "-L", "^slow$"],
         stdout=subprocess.PIPE,
         text=True,
         check=True,
     )
-    return [test["name"] for test in json.loads(done.stdout)["tests"]]
+    found = {}
+    for test in json.loads(done.stdout)["tests"]:
+        stated = {p["name"]: p["value"] for p in test.get("properties", [])}
+        found[test["name"]] = float(stated.get("TIMEOUT", CTEST_SECONDS))
+    return found
 
 
 def run_tests(build: pathlib.Path, names: Sequence[str]) -> bool:
@@ -86,14 +93,14 @@ def run_tests(build: pathlib.Path, names: Sequence[str]) -> bool:
 def run_part(
     names: Sequence[str],
     at_once: int,
-    has_time: Callable[[], bool],
+    has_time: Callable[[Sequence[str]], bool],
     run: Callable[[Sequence[str]], bool],
 ) -> tuple[bool, list[str]]:
-    """Runs the tests in their order, so many at once, while there is time. Gives whether all of them
-    passed, and the tests that did not start."""
+    """Runs the tests in their order, so many at once, while there is time for them. Gives whether all
+    of them passed, and the tests that did not start."""
     passed = True
     left = list(names)
-    while left and has_time():
+    while left and has_time(left[:at_once]):
         passed = run(left[:at_once]) and passed
         left = left[at_once:]
     return passed, left
@@ -104,21 +111,22 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="scripts/test", description=__doc__)
     parser.add_argument("--build", type=pathlib.Path, required=True, metavar="FOLDER")
     parser.add_argument("--slow-part", required=True, metavar="K/N")
-    parser.add_argument("--seconds", type=float, required=True, help="how long tests may start")
+    parser.add_argument("--seconds", type=float, required=True, help="how long tests may run")
     args = parser.parse_args()
     end: float = time.monotonic() + args.seconds
     try:
         part = chosen(args.slow_part, lambda: commit_number(project.ROOT))
     except project.Failed as failed:
         sys.exit(f"test: {failed}")
-    names = part.take(slow_tests(args.build))
+    limits = slow_tests(args.build)
+    names = part.take(list(limits))
     print(
         f"== slow tests, part {part.number} of {part.of}: {' '.join(names) or 'none'}", flush=True
     )
     passed, left = run_part(
         names,
         os.cpu_count() or 1,
-        lambda: time.monotonic() < end,
+        lambda some: time.monotonic() + max(limits[name] for name in some) < end,
         functools.partial(run_tests, args.build),
     )
     if left:

@@ -17,7 +17,7 @@ add_test(quick true)
 add_test(good true)
 set_tests_properties(good PROPERTIES LABELS "system;slow")
 add_test(bad.one false)
-set_tests_properties(bad.one PROPERTIES LABELS slow)
+set_tests_properties(bad.one PROPERTIES LABELS slow TIMEOUT 60)
 add_test(slowly true)
 set_tests_properties(slowly PROPERTIES LABELS slower)
 """
@@ -53,7 +53,7 @@ class Running(unittest.TestCase):
             started.extend(names)
             return next(outcomes)
 
-        passed, left = run_part(NAMES[:5], 2, lambda: next(has_time), run)
+        passed, left = run_part(NAMES[:5], 2, lambda some: next(has_time), run)
         self.assertEqual(started + left, NAMES[:5])
         return passed, left, len(started)
 
@@ -76,7 +76,7 @@ class WithCtest(testing.InFolder):
         (self.folder / "CTestTestfile.cmake").write_text(CTEST_FILE, encoding="utf-8")
 
     def test_only_slow_tests_are_listed(self) -> None:
-        self.assertEqual(slow_tests(self.folder), ["good", "bad.one"])
+        self.assertEqual(slow_tests(self.folder), {"good": 1500, "bad.one": 60})
 
     def test_a_test_that_fails_is_noticed(self) -> None:
         self.assertTrue(run_tests(self.folder, ["good"]))
