@@ -199,7 +199,8 @@ TEST_F(App, BadWishesForACoreAreRefused) {
   mistake("--measure primary.t_p99",
           "dynrt: --measure primary.t_p99: there is no bound; --max-error says how large this "
           "error may be\n");
-  mistake("--keep speed", StartsWith("dynrt: --keep speed: unknown; the keys are pipelines, "));
+  mistake("--keep speed",
+          StartsWith("dynrt: there is no key 'speed' to keep; the keys are pipelines, "));
   mistake("--jobs 0", HasSubstr("--jobs: at least one is needed"));
   mistake("--out /dev/null", StartsWith("dynrt: --out /dev/null: cannot be written (File exists"));
   mistake("--json /nowhere/f.json", HasSubstr("/nowhere"));

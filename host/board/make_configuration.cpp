@@ -24,7 +24,7 @@ std::string made_of(const std::string& json_path, std::vector<std::string> flags
   }
   flags.insert(flags.begin(), json_path);
   if (tell) flags.emplace_back("--tell-steps");
-  if (jobs > 0) flags.push_back(fmt::format("--jobs={}", jobs));
+  if (jobs > 0) flags.insert(flags.end(), {"--jobs", fmt::format("{}", jobs)});
   return made_by_script("configuration", flags, "configuration " + json_path, tell);
 }
 

@@ -67,10 +67,11 @@ std::vector<Decision> kept(const std::vector<std::string>& keys, const CoreConfi
   std::vector<Decision> decisions;
   for (const std::string& key : keys) {
     if (std::ranges::find(known, key) == known.end()) {
-      refuse("--keep {}: unknown; the keys are {}", key, fmt::format("{}", fmt::join(known, ", ")));
+      refuse("there is no key '{}' to keep; the keys are {}", key,
+             fmt::format("{}", fmt::join(known, ", ")));
     }
     decisions.push_back(
-        {key, value_of(general, key), fmt::format("as in {}: --keep asks for it", general.name)});
+        {key, value_of(general, key), fmt::format("as in {}: it was asked for", general.name)});
   }
   return decisions;
 }

@@ -235,10 +235,10 @@ TEST(Decide, KeysThatTheUserKeepsAreAsInTheGeneralCore) {
   }
   for (const char* key : {"counters", "lights"}) EXPECT_EQ(std::ranges::count(left, key), 1) << key;
   const auto depth = std::ranges::find(decisions, "stack_depth", &Decision::key);
-  expect(*depth, 31, "as in whitted: --keep asks for it");
+  expect(*depth, 31, "as in whitted: it was asked for");
   EXPECT_THAT([&] { kept({"speed"}, general); },
               ::testing::ThrowsMessage<UserError>(
-                  HasSubstr("--keep speed: unknown; the keys are pipelines, packets, ")));
+                  HasSubstr("there is no key 'speed' to keep; the keys are pipelines, packets, ")));
   EXPECT_THROW(kept({"about"}, general), UserError);
 }
 

@@ -77,7 +77,7 @@ class Command(Specialised):
         self.assertRegex(page, r"\n  clocks of a frame +[0-9,]+ +[0-9,]+ +[0-9.]+ %")
         stated, analysis = self.read("made/configuration.json"), self.read("made/analysis.json")
         self.assertEqual((stated["made_for"], stated["made_from"]), ("ball", "fast"))
-        self.assertEqual(stated["packets"]["reason"], "as in fast: --keep asks for it")
+        self.assertEqual(stated["packets"]["reason"], "as in fast: it was asked for")
         self.assertEqual(self.read("figures.json"), analysis)
         self.assertEqual(
             analysis["configuration"], {k: stated[k] for k in analysis["configuration"]}
