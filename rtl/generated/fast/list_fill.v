@@ -17,12 +17,12 @@ module list_fill #(
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [47:0] reply_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  output wire [52:0] lines_data_o,
   output wire waiting_en_o,
   output wire [7:0] waiting_addr_o,
   input  wire [14:0] waiting_data_i,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  output wire [52:0] lines_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -40,9 +40,9 @@ module list_fill #(
   // ---- stage 0 ----
   wire fill_0_s0 = fill_data_i[0];
   wire [8:0] fill_9_s0 = fill_data_i[17:9];
-  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:36
+  wire not_1_s0 = ~fill_0_s0;  // units/direct_lines.h:51
   wire [7:0] fill_1_s0 = fill_data_i[8:1];
-  wire [8:0] line_s0 = fill_9_s0 & frame_32_still;  // units/cache_fill.h:31
+  wire [8:0] line_s0 = fill_9_s0 & frame_32_still;  // units/cache_fill.h:35
   wire [31:0] fill_28_s0 = fill_data_i[59:28];
   wire [9:0] fill_18_s0 = fill_data_i[27:18];
 
@@ -87,11 +87,11 @@ module list_fill #(
     .data_i({fill_28_s2, context_active_value_s2, waiting_0_s2}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_stored));
   assign reply_data_o = {reply_stored[46:7], 1'd0, reply_stored[6:0]};
+  assign waiting_en_o = valid_s0;
+  assign waiting_addr_o = fill_1_s0;
   assign lines_en_o = valid_s1;
   assign lines_addr_o = line_s1;
   assign lines_data_o = {fill_28_s1, fill_18_s1, fill_9_s1, not_1_s1, 1'd0};
-  assign waiting_en_o = valid_s0;
-  assign waiting_addr_o = fill_1_s0;
 
   wire unused = &{1'b0,
     frame_i[31:0],

@@ -22,12 +22,12 @@ module matrix_lookup #(
   output wire miss_valid_o,
   input  wire miss_ready_i,
   output wire [28:0] miss_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  input  wire [116:0] lines_data_i,
   output wire waiting_en_o,
   output wire [7:0] waiting_addr_o,
   output wire [17:0] waiting_data_o,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  input  wire [116:0] lines_data_i,
   output wire fire_o,
   output wire stall_o
 );
@@ -46,24 +46,24 @@ module matrix_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_18_s0 = request_data_i[26:18];
   wire [9:0] request_27_s0 = request_data_i[36:27];
-  wire [8:0] line_s0 = frame_32_still & request_18_s0;  // units/cache_lookup.h:100
-  wire [1:0] request_16_s0 = request_data_i[17:16];
-  wire [5:0] request_0_s0 = request_data_i[5:0];
+  wire [8:0] line_s0 = frame_32_still & request_18_s0;  // units/cache_lookup.h:106
+  wire [1:0] waits_column_s0 = request_data_i[17:16];
+  wire [5:0] waits_packet_s0 = request_data_i[5:0];
   wire [9:0] request_6_s0 = request_data_i[15:6];
 
   // ---- stage 1 ----
   reg valid_s1;
   reg  [8:0] request_18_s1;
   reg  [9:0] request_27_s1;
-  reg  [1:0] request_16_s1;
-  reg  [5:0] request_0_s1;
+  reg  [1:0] waits_column_s1;
+  reg  [5:0] waits_packet_s1;
   reg  [9:0] request_6_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
     request_18_s1 <= request_18_s0;
     request_27_s1 <= request_27_s0;
-    request_16_s1 <= request_16_s0;
-    request_0_s1 <= request_0_s0;
+    waits_column_s1 <= waits_column_s0;
+    waits_packet_s1 <= waits_packet_s0;
     request_6_s1 <= request_6_s0;
   end
   wire [20:0] lines_0_s1 = lines_data_i[20:0];
@@ -74,8 +74,8 @@ module matrix_lookup #(
   reg  [8:0] request_18_s2;
   reg  [9:0] request_27_s2;
   reg  [20:0] lines_0_s2;
-  reg  [1:0] request_16_s2;
-  reg  [5:0] request_0_s2;
+  reg  [1:0] waits_column_s2;
+  reg  [5:0] waits_packet_s2;
   reg  [95:0] lines_21_s2;
   reg  [9:0] request_6_s2;
   always @(posedge clk_i) begin
@@ -83,20 +83,20 @@ module matrix_lookup #(
     request_18_s2 <= request_18_s1;
     request_27_s2 <= request_27_s1;
     lines_0_s2 <= lines_0_s1;
-    request_16_s2 <= request_16_s1;
-    request_0_s2 <= request_0_s1;
+    waits_column_s2 <= waits_column_s1;
+    waits_packet_s2 <= waits_packet_s1;
     lines_21_s2 <= lines_21_s1;
     request_6_s2 <= request_6_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_27_s2, request_18_s2, 2'd2};  // units/cache_lookup.h:145
+  wire eq_1_s2 = lines_0_s2 == {request_27_s2, request_18_s2, 2'd2};  // units/direct_lines.h:20
 
   // ---- stage 3 ----
   reg valid_s3;
   reg  [8:0] request_18_s3;
   reg  [9:0] request_27_s3;
   reg  eq_1_s3;
-  reg  [1:0] request_16_s3;
-  reg  [5:0] request_0_s3;
+  reg  [1:0] waits_column_s3;
+  reg  [5:0] waits_packet_s3;
   reg  [95:0] lines_21_s3;
   reg  [9:0] request_6_s3;
   always @(posedge clk_i) begin
@@ -104,32 +104,33 @@ module matrix_lookup #(
     request_18_s3 <= request_18_s2;
     request_27_s3 <= request_27_s2;
     eq_1_s3 <= eq_1_s2;
-    request_16_s3 <= request_16_s2;
-    request_0_s3 <= request_0_s2;
+    waits_column_s3 <= waits_column_s2;
+    waits_packet_s3 <= waits_packet_s2;
     lines_21_s3 <= lines_21_s2;
     request_6_s3 <= request_6_s2;
   end
+  wire hit_s3 = ~eq_1_s3;  // units/direct_lines.h:20
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(133), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 3),
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s3 && eq_1_s3), .ready_o(reply_room),
-    .data_i({lines_21_s3, request_27_s3, request_18_s3, request_16_s3, request_6_s3, request_0_s3}),
+    .data_i({lines_21_s3, request_27_s3, request_18_s3, waits_column_s3, request_6_s3, waits_packet_s3}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
   wire [26:0] miss_stored;
   hls_fifo #(.WIDTH(27), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 3),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s3 && (~eq_1_s3)), .ready_o(miss_room),
-    .data_i({request_27_s3, request_18_s3, request_16_s3, request_0_s3}),
+    .valid_i(valid_s3 && hit_s3), .ready_o(miss_room),
+    .data_i({request_27_s3, request_18_s3, waits_column_s3, waits_packet_s3}),
     .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_stored));
   assign miss_data_o = {miss_stored, 2'd2};
+  assign waiting_en_o = valid_s3;
+  assign waiting_addr_o = {waits_column_s3, waits_packet_s3};
+  assign waiting_data_o = {waits_column_s3, request_6_s3, waits_packet_s3};
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
-  assign waiting_en_o = valid_s3;
-  assign waiting_addr_o = {request_16_s3, request_0_s3};
-  assign waiting_data_o = {request_16_s3, request_6_s3, request_0_s3};
 
   wire unused = &{1'b0,
     frame_i[31:0],

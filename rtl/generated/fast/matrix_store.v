@@ -18,12 +18,12 @@ module matrix_store #(
   output wire reply_ready_o,
   input  wire [132:0] reply_data_i,
   input  wire [575:0] frame_i,
-  output wire ready_valid_o,
-  input  wire ready_ready_i,
-  output wire [21:0] ready_data_o,
-  output wire camera_valid_o,
-  input  wire camera_ready_i,
-  output wire [10:0] camera_data_o,
+  output wire record_en_o,
+  output wire [5:0] record_addr_o,
+  output wire [50:0] record_data_o,
+  output wire object_en_o,
+  output wire [5:0] object_addr_o,
+  output wire [16:0] object_data_o,
   output wire column_0_en_o,
   output wire [5:0] column_0_addr_o,
   output wire [71:0] column_0_data_o,
@@ -36,6 +36,12 @@ module matrix_store #(
   output wire column_3_en_o,
   output wire [5:0] column_3_addr_o,
   output wire [71:0] column_3_data_o,
+  output wire ready_valid_o,
+  input  wire ready_ready_i,
+  output wire [21:0] ready_data_o,
+  output wire camera_valid_o,
+  input  wire camera_ready_i,
+  output wire [10:0] camera_data_o,
   output wire camera_column_0_en_o,
   output wire camera_column_0_addr_o,
   output wire [71:0] camera_column_0_data_o,
@@ -48,12 +54,6 @@ module matrix_store #(
   output wire eye_en_o,
   output wire eye_addr_o,
   output wire [71:0] eye_data_o,
-  output wire record_en_o,
-  output wire [5:0] record_addr_o,
-  output wire [50:0] record_data_o,
-  output wire object_en_o,
-  output wire [5:0] object_addr_o,
-  output wire [16:0] object_data_o,
   output wire box_valid_o,
   input  wire box_ready_i,
   output wire [10:0] box_data_o,
@@ -98,11 +98,11 @@ module matrix_store #(
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[132:125];
   wire [5:0] r_context_packet_s0 = reply_data_i[5:0];
   wire is_box_s0 = r_context_kind_s0 == 2'd3;  // units/transformation_tokens.h:39
-  wire [1:0] add_1_s0 = {1'd0, reply_8_s0} + 2'd1;  // units/matrix_store.h:230
-  wire [1:0] mux_2_s0 = {reply_9_s0 & add_1_s0[1], reply_9_s0 ? add_1_s0[0] : reply_8_s0};  // units/matrix_store.h:230
+  wire [1:0] add_1_s0 = {1'd0, reply_8_s0} + 2'd1;  // units/send_active.h:18
+  wire [1:0] mux_2_s0 = {reply_9_s0 & add_1_s0[1], reply_9_s0 ? add_1_s0[0] : reply_8_s0};  // units/send_active.h:18
   wire [1:0] reply_18_s0 = reply_data_i[19:18];
   wire [14:0] reply_20_s0 = reply_data_i[34:20];
-  wire [16:0] sub_1_s0 = {reply_20_s0, reply_18_s0} - frame_544_still;  // units/matrix_store.h:142
+  wire [16:0] sub_1_s0 = {reply_20_s0, reply_18_s0} - frame_544_still;  // units/send_active.h:90
   wire [1:0] reply_35_s0 = reply_data_i[36:35];
 
   // ---- stage 1 ----
@@ -152,21 +152,21 @@ module matrix_store #(
     reply_20_s1 <= reply_20_s0;
     reply_35_s1 <= reply_35_s0;
   end
-  wire eq_1_s1 = r_context_column_s1 == 2'd0;  // units/matrix_store.h:92
-  wire eq_2_s1 = r_context_column_s1 == 2'd1;  // units/matrix_store.h:92
-  wire eq_3_s1 = r_context_column_s1 == 2'd2;  // units/matrix_store.h:92
-  wire eq_4_s1 = r_context_column_s1 == 2'd3;  // units/matrix_store.h:92
-  wire of_camera_s1 = r_context_kind_s1 == 2'd0;  // units/matrix_store.h:98
+  wire eq_1_s1 = r_context_column_s1 == 2'd0;  // units/stored_triangle.h:42
+  wire of_camera_s1 = r_context_kind_s1 == 2'd0;  // units/send_active.h:35
   wire [25:0] progress_row;
   wire [1:0] progress_0_s1 = progress_row[1:0];
   wire [23:0] progress_2_s1 = progress_row[25:2];
-  wire eq_5_s1 = progress_0_s1 == 2'd3;  // units/matrix_store.h:61
+  wire eq_2_s1 = progress_0_s1 == 2'd3;  // units/matrix_store.h:62
   wire [23:0] mux_1_s1 = eq_1_s1 ? {r_line_row_2_spare_s1, r_line_row_1_spare_s1, r_line_row_0_spare_s1} : progress_2_s1;
-  wire [2:0] add_2_s1 = {1'd0, mux_2_s1} + 3'd1;  // units/matrix_store.h:230
-  wire [2:0] mux_3_s1 = {reply_10_s1 & add_2_s1[2], reply_10_s1 ? add_2_s1[1:0] : mux_2_s1};  // units/matrix_store.h:230
-  wire [3:0] add_3_s1 = {1'd0, mux_3_s1} + 4'd1;  // units/matrix_store.h:230
-  wire [3:0] mux_4_s1 = {reply_11_s1 & add_3_s1[3], reply_11_s1 ? add_3_s1[2:0] : mux_3_s1};  // units/matrix_store.h:230
+  wire [2:0] add_2_s1 = {1'd0, mux_2_s1} + 3'd1;  // units/send_active.h:18
+  wire [2:0] mux_3_s1 = {reply_10_s1 & add_2_s1[2], reply_10_s1 ? add_2_s1[1:0] : mux_2_s1};  // units/send_active.h:18
+  wire [3:0] add_3_s1 = {1'd0, mux_3_s1} + 4'd1;  // units/send_active.h:18
+  wire [3:0] mux_4_s1 = {reply_11_s1 & add_3_s1[3], reply_11_s1 ? add_3_s1[2:0] : mux_3_s1};  // units/send_active.h:18
+  wire eq_5_s1 = r_context_column_s1 == 2'd1;  // units/stored_triangle.h:42
+  wire eq_6_s1 = r_context_column_s1 == 2'd2;  // units/stored_triangle.h:42
   wire [1:0] add_9_s1 = progress_0_s1 + 2'd1;
+  wire eq_7_s1 = r_context_column_s1 == 2'd3;  // units/stored_triangle.h:42
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -181,7 +181,7 @@ module matrix_store #(
   reg  reply_15_s2;
   reg  of_camera_s2;
   reg  [5:0] r_context_packet_s2;
-  reg  eq_5_s2;
+  reg  eq_2_s2;
   reg  [23:0] mux_1_s2;
   reg  is_box_s2;
   reg  [3:0] mux_4_s2;
@@ -200,21 +200,21 @@ module matrix_store #(
     reply_15_s2 <= reply_15_s1;
     of_camera_s2 <= of_camera_s1;
     r_context_packet_s2 <= r_context_packet_s1;
-    eq_5_s2 <= eq_5_s1;
+    eq_2_s2 <= eq_2_s1;
     mux_1_s2 <= mux_1_s1;
     is_box_s2 <= is_box_s1;
     mux_4_s2 <= mux_4_s1;
     reply_20_s2 <= reply_20_s1;
     reply_35_s2 <= reply_35_s1;
   end
-  wire complete_s2 = ~eq_5_s2;  // units/matrix_store.h:61
-  wire [4:0] add_4_s2 = {1'd0, mux_4_s2} + 5'd1;  // units/matrix_store.h:230
-  wire [4:0] mux_5_s2 = {reply_12_s2 & add_4_s2[4], reply_12_s2 ? add_4_s2[3:0] : mux_4_s2};  // units/matrix_store.h:230
-  wire [4:0] mux_6_s2 = reply_13_s2 ? (mux_5_s2 + 5'd1) : mux_5_s2;  // units/matrix_store.h:230
-  wire or_1_s2 = complete_s2 | is_box_s2;  // units/matrix_store.h:73
+  wire complete_s2 = ~eq_2_s2;  // units/matrix_store.h:62
+  wire [4:0] add_4_s2 = {1'd0, mux_4_s2} + 5'd1;  // units/send_active.h:18
+  wire [4:0] mux_5_s2 = {reply_12_s2 & add_4_s2[4], reply_12_s2 ? add_4_s2[3:0] : mux_4_s2};  // units/send_active.h:18
+  wire [4:0] mux_6_s2 = reply_13_s2 ? (mux_5_s2 + 5'd1) : mux_5_s2;  // units/send_active.h:18
+  wire or_1_s2 = complete_s2 | is_box_s2;  // units/matrix_store.h:74
   wire not_1_s2 = ~or_1_s2;
+  wire and_2_s2 = of_camera_s2 & not_1_s2;
   wire or_2_s2 = of_camera_s2 | or_1_s2;
-  wire and_6_s2 = of_camera_s2 & not_1_s2;
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -230,8 +230,8 @@ module matrix_store #(
   reg  [5:0] r_context_packet_s3;
   reg  is_box_s3;
   reg  [4:0] mux_6_s3;
+  reg  and_2_s3;
   reg  or_2_s3;
-  reg  and_6_s3;
   always @(posedge clk_i) begin
     valid_s3 <= rst_ni && valid_s2;
     r_context_kind_s3 <= r_context_kind_s2;
@@ -246,11 +246,11 @@ module matrix_store #(
     r_context_packet_s3 <= r_context_packet_s2;
     is_box_s3 <= is_box_s2;
     mux_6_s3 <= mux_6_s2;
+    and_2_s3 <= and_2_s2;
     or_2_s3 <= or_2_s2;
-    and_6_s3 <= and_6_s2;
   end
-  wire [4:0] mux_7_s3 = reply_14_s3 ? (mux_6_s3 + 5'd1) : mux_6_s3;  // units/matrix_store.h:230
-  wire [4:0] mux_8_s3 = reply_15_s3 ? (mux_7_s3 + 5'd1) : mux_7_s3;  // units/matrix_store.h:230
+  wire [4:0] mux_7_s3 = reply_14_s3 ? (mux_6_s3 + 5'd1) : mux_6_s3;  // units/send_active.h:18
+  wire [4:0] mux_8_s3 = reply_15_s3 ? (mux_7_s3 + 5'd1) : mux_7_s3;  // units/send_active.h:18
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -266,8 +266,8 @@ module matrix_store #(
   reg  [5:0] r_context_packet_s4;
   reg  is_box_s4;
   reg  [4:0] mux_8_s4;
+  reg  and_2_s4;
   reg  or_2_s4;
-  reg  and_6_s4;
   always @(posedge clk_i) begin
     valid_s4 <= rst_ni && valid_s3;
     r_context_kind_s4 <= r_context_kind_s3;
@@ -282,14 +282,39 @@ module matrix_store #(
     r_context_packet_s4 <= r_context_packet_s3;
     is_box_s4 <= is_box_s3;
     mux_8_s4 <= mux_8_s3;
+    and_2_s4 <= and_2_s3;
     or_2_s4 <= or_2_s3;
-    and_6_s4 <= and_6_s3;
   end
-  wire [4:0] rays_s4 = mux_8_s4 + 5'd31;  // units/matrix_store.h:143
-  wire [3:0] add_8_s4 = mux_8_s4[3:0] + 4'd15;  // units/matrix_store.h:187
-  wire [4:0] mux_9_s4 = {frame_352_still ? add_8_s4 : mux_8_s4[4:1], frame_352_still | mux_8_s4[0]};  // units/matrix_store.h:187
+  wire [4:0] rays_s4 = mux_8_s4 + 5'd31;  // units/send_active.h:91
+  wire [3:0] add_8_s4 = mux_8_s4[3:0] + 4'd15;  // units/send_active.h:54
+  wire [4:0] mux_9_s4 = {frame_352_still ? add_8_s4 : mux_8_s4[4:1], frame_352_still | mux_8_s4[0]};  // units/send_active.h:54
 
   // ---- state, rows and tokens written ----
+  assign record_en_o = valid_s2 && not_1_s2;
+  assign record_addr_o = r_context_packet_s2;
+  assign record_data_o = {reply_35_s2, reply_20_s2, mux_1_s2, reply_15_s2, reply_14_s2, reply_13_s2, reply_12_s2, reply_11_s2, reply_10_s2, reply_9_s2, reply_8_s2, r_context_kind_s2};
+  assign object_en_o = valid_s2 && ((r_context_kind_s2 == 2'd1) & not_1_s2);
+  assign object_addr_o = r_context_packet_s2;
+  assign object_data_o = {reply_35_s2, reply_20_s2};
+  wire progress_write = valid_s1 && (~is_box_s1);
+  wire [5:0] progress_write_addr = r_context_packet_s1;
+  hls_register_file #(.WIDTH(26), .ROWS(64)) progress_file (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .write_en_i(progress_write), .write_addr_i(progress_write_addr),
+    .write_data_i({mux_1_s1, add_9_s1}),
+    .read_addr_i(r_context_packet_s1), .read_data_o(progress_row));
+  assign column_0_en_o = valid_s1 && eq_1_s1;
+  assign column_0_addr_o = r_context_packet_s1;
+  assign column_0_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
+  assign column_1_en_o = valid_s1 && eq_5_s1;
+  assign column_1_addr_o = r_context_packet_s1;
+  assign column_1_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
+  assign column_2_en_o = valid_s1 && eq_6_s1;
+  assign column_2_addr_o = r_context_packet_s1;
+  assign column_2_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
+  assign column_3_en_o = valid_s1 && eq_7_s1;
+  assign column_3_addr_o = r_context_packet_s1;
+  assign column_3_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
   hls_fifo #(.WIDTH(22), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 4),
     .BOUNDED(READY_BOUNDED)) ready_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
@@ -300,40 +325,22 @@ module matrix_store #(
   hls_fifo #(.WIDTH(6), .DEPTH(CAMERA_DEPTH), .MARGIN(CAMERA_BOUNDED ? 0 : 4),
     .BOUNDED(CAMERA_BOUNDED)) camera_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s4 && and_6_s4), .ready_o(camera_room),
+    .valid_i(valid_s4 && and_2_s4), .ready_o(camera_room),
     .data_i(r_context_packet_s4),
     .valid_o(camera_valid_o), .ready_i(camera_ready_i), .data_o(camera_stored));
   assign camera_data_o = {camera_stored, 5'd23};
-  assign column_0_en_o = valid_s1 && eq_1_s1;
-  assign column_0_addr_o = r_context_packet_s1;
-  assign column_0_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign column_1_en_o = valid_s1 && eq_2_s1;
-  assign column_1_addr_o = r_context_packet_s1;
-  assign column_1_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign column_2_en_o = valid_s1 && eq_3_s1;
-  assign column_2_addr_o = r_context_packet_s1;
-  assign column_2_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign column_3_en_o = valid_s1 && eq_4_s1;
-  assign column_3_addr_o = r_context_packet_s1;
-  assign column_3_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign camera_column_0_en_o = valid_s1 && (eq_1_s1 & of_camera_s1);
+  assign camera_column_0_en_o = valid_s1 && ((r_context_kind_s1 | r_context_column_s1) == 2'd0);
   assign camera_column_0_addr_o = 1'd0;
   assign camera_column_0_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign camera_column_1_en_o = valid_s1 && (eq_2_s1 & of_camera_s1);
+  assign camera_column_1_en_o = valid_s1 && (of_camera_s1 & eq_5_s1);
   assign camera_column_1_addr_o = 1'd0;
   assign camera_column_1_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign camera_column_2_en_o = valid_s1 && (eq_3_s1 & of_camera_s1);
+  assign camera_column_2_en_o = valid_s1 && (of_camera_s1 & eq_6_s1);
   assign camera_column_2_addr_o = 1'd0;
   assign camera_column_2_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign eye_en_o = valid_s1 && (eq_4_s1 & of_camera_s1);
+  assign eye_en_o = valid_s1 && (of_camera_s1 & eq_7_s1);
   assign eye_addr_o = 1'd0;
   assign eye_data_o = {r_line_row_2_value_s1, reply_69_s1, r_line_row_0_value_s1};
-  assign record_en_o = valid_s2 && not_1_s2;
-  assign record_addr_o = r_context_packet_s2;
-  assign record_data_o = {reply_35_s2, reply_20_s2, mux_1_s2, reply_15_s2, reply_14_s2, reply_13_s2, reply_12_s2, reply_11_s2, reply_10_s2, reply_9_s2, reply_8_s2, r_context_kind_s2};
-  assign object_en_o = valid_s2 && ((r_context_kind_s2 == 2'd1) & not_1_s2);
-  assign object_addr_o = r_context_packet_s2;
-  assign object_data_o = {reply_35_s2, reply_20_s2};
   hls_fifo #(.WIDTH(11), .DEPTH(BOX_DEPTH), .MARGIN(BOX_BOUNDED ? 0 : 4),
     .BOUNDED(BOX_BOUNDED)) box_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
@@ -343,13 +350,6 @@ module matrix_store #(
   assign boxed_en_o = valid_s0 && is_box_s0;
   assign boxed_addr_o = r_context_packet_s0;
   assign boxed_data_o = {r_line_row_2_spare_s0, r_line_row_2_value_s0, r_line_row_1_spare_s0, reply_69_s0, r_line_row_0_spare_s0, r_line_row_0_value_s0, reply_15_s0, reply_14_s0, reply_13_s0, reply_12_s0, reply_11_s0, reply_10_s0, reply_9_s0, reply_8_s0, sub_1_s0};
-  wire progress_write = valid_s1 && (~is_box_s1);
-  wire [5:0] progress_write_addr = r_context_packet_s1;
-  hls_register_file #(.WIDTH(26), .ROWS(64)) progress_file (
-    .clk_i(clk_i), .rst_ni(rst_ni),
-    .write_en_i(progress_write), .write_addr_i(progress_write_addr),
-    .write_data_i({mux_1_s1, add_9_s1}),
-    .read_addr_i(r_context_packet_s1), .read_data_o(progress_row));
 
   wire unused = &{1'b0,
     frame_i[351:0],

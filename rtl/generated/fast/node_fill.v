@@ -17,12 +17,12 @@ module node_fill #(
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [93:0] reply_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  output wire [84:0] lines_data_o,
   output wire waiting_en_o,
   output wire [7:0] waiting_addr_o,
   input  wire [29:0] waiting_data_i,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  output wire [84:0] lines_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -45,8 +45,8 @@ module node_fill #(
   wire fill_27_s0 = fill_data_i[27];
   wire [8:0] fill_18_s0 = fill_data_i[26:18];
   wire [18:0] f_line_right_s0 = fill_data_i[91:73];
-  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:36
-  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:31
+  wire not_1_s0 = ~f_invalidate_s0;  // units/direct_lines.h:51
+  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:35
   wire [23:0] f_line_split_s0 = fill_data_i[53:30];
   wire [7:0] f_key_s0 = fill_data_i[8:1];
 
@@ -102,11 +102,11 @@ module node_fill #(
     .valid_i(valid_s2 && not_1_s2), .ready_o(reply_room),
     .data_i({f_line_right_s2, mux_2_s2, f_line_split_s2, mux_1_s2, waiting_s2}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
+  assign waiting_en_o = valid_s0;
+  assign waiting_addr_o = f_key_s0;
   assign lines_en_o = valid_s1;
   assign lines_addr_o = line_s1;
   assign lines_data_o = {f_line_right_s1, f_line_left_s1, f_line_split_s1, f_line_kind_s1, fill_27_s1, fill_18_s1, f_address_s1, not_1_s1, 1'd0};
-  assign waiting_en_o = valid_s0;
-  assign waiting_addr_o = f_key_s0;
 
   wire unused = &{1'b0,
     frame_i[31:0],

@@ -22,12 +22,12 @@ module node_lookup #(
   output wire miss_valid_o,
   input  wire miss_ready_i,
   output wire [28:0] miss_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  input  wire [84:0] lines_data_i,
   output wire waiting_en_o,
   output wire [7:0] waiting_addr_o,
   output wire [29:0] waiting_data_o,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  input  wire [84:0] lines_data_i,
   output wire fire_o,
   output wire stall_o
 );
@@ -47,8 +47,8 @@ module node_lookup #(
   wire [8:0] request_30_s0 = request_data_i[38:30];
   wire [8:0] request_39_s0 = request_data_i[47:39];
   wire request_48_s0 = request_data_i[48];
-  wire [8:0] line_s0 = frame_32_still & request_30_s0;  // units/cache_lookup.h:100
-  wire [5:0] request_0_s0 = request_data_i[5:0];
+  wire [8:0] line_s0 = frame_32_still & request_30_s0;  // units/cache_lookup.h:106
+  wire [5:0] r_context_packet_s0 = request_data_i[5:0];
   wire [23:0] request_6_s0 = request_data_i[29:6];
 
   // ---- stage 1 ----
@@ -56,20 +56,20 @@ module node_lookup #(
   reg  [8:0] request_30_s1;
   reg  [8:0] request_39_s1;
   reg  request_48_s1;
-  reg  [5:0] request_0_s1;
+  reg  [5:0] r_context_packet_s1;
   reg  [23:0] request_6_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
     request_30_s1 <= request_30_s0;
     request_39_s1 <= request_39_s0;
     request_48_s1 <= request_48_s0;
-    request_0_s1 <= request_0_s0;
+    r_context_packet_s1 <= r_context_packet_s0;
     request_6_s1 <= request_6_s0;
   end
+  wire [20:0] lines_0_s1 = lines_data_i[20:0];
+  wire [18:0] item_right_s1 = lines_data_i[84:66];
   wire [18:0] row_line_left_s1 = lines_data_i[65:47];
   wire [1:0] row_line_kind_s1 = lines_data_i[22:21];
-  wire [20:0] lines_0_s1 = lines_data_i[20:0];
-  wire [18:0] row_line_right_s1 = lines_data_i[84:66];
   wire [23:0] row_line_split_s1 = lines_data_i[46:23];
 
   // ---- stage 2 ----
@@ -77,11 +77,11 @@ module node_lookup #(
   reg  [8:0] request_30_s2;
   reg  [8:0] request_39_s2;
   reg  request_48_s2;
+  reg  [20:0] lines_0_s2;
+  reg  [18:0] item_right_s2;
   reg  [18:0] row_line_left_s2;
   reg  [1:0] row_line_kind_s2;
-  reg  [20:0] lines_0_s2;
-  reg  [18:0] row_line_right_s2;
-  reg  [5:0] request_0_s2;
+  reg  [5:0] r_context_packet_s2;
   reg  [23:0] row_line_split_s2;
   reg  [23:0] request_6_s2;
   always @(posedge clk_i) begin
@@ -89,26 +89,26 @@ module node_lookup #(
     request_30_s2 <= request_30_s1;
     request_39_s2 <= request_39_s1;
     request_48_s2 <= request_48_s1;
+    lines_0_s2 <= lines_0_s1;
+    item_right_s2 <= item_right_s1;
     row_line_left_s2 <= row_line_left_s1;
     row_line_kind_s2 <= row_line_kind_s1;
-    lines_0_s2 <= lines_0_s1;
-    row_line_right_s2 <= row_line_right_s1;
-    request_0_s2 <= request_0_s1;
+    r_context_packet_s2 <= r_context_packet_s1;
     row_line_split_s2 <= row_line_split_s1;
     request_6_s2 <= request_6_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_48_s2, request_39_s2, request_30_s2, 2'd2};  // units/cache_lookup.h:145
+  wire eq_1_s2 = lines_0_s2 == {request_48_s2, request_39_s2, request_30_s2, 2'd2};  // units/direct_lines.h:20
 
   // ---- stage 3 ----
   reg valid_s3;
   reg  [8:0] request_30_s3;
   reg  [8:0] request_39_s3;
   reg  request_48_s3;
+  reg  eq_1_s3;
+  reg  [18:0] item_right_s3;
   reg  [18:0] row_line_left_s3;
   reg  [1:0] row_line_kind_s3;
-  reg  eq_1_s3;
-  reg  [18:0] row_line_right_s3;
-  reg  [5:0] request_0_s3;
+  reg  [5:0] r_context_packet_s3;
   reg  [23:0] row_line_split_s3;
   reg  [23:0] request_6_s3;
   always @(posedge clk_i) begin
@@ -116,38 +116,39 @@ module node_lookup #(
     request_30_s3 <= request_30_s2;
     request_39_s3 <= request_39_s2;
     request_48_s3 <= request_48_s2;
+    eq_1_s3 <= eq_1_s2;
+    item_right_s3 <= item_right_s2;
     row_line_left_s3 <= row_line_left_s2;
     row_line_kind_s3 <= row_line_kind_s2;
-    eq_1_s3 <= eq_1_s2;
-    row_line_right_s3 <= row_line_right_s2;
-    request_0_s3 <= request_0_s2;
+    r_context_packet_s3 <= r_context_packet_s2;
     row_line_split_s3 <= row_line_split_s2;
     request_6_s3 <= request_6_s2;
   end
-  wire [1:0] mux_1_s3 = {2{request_48_s3}} | row_line_kind_s3;
-  wire [18:0] mux_2_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : row_line_left_s3[18:1], ~request_48_s3 & row_line_left_s3[0]};  // units/cache_lookup.h:36
-  wire [18:0] mux_3_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : mux_2_s3[18:1], ~request_48_s3 & mux_2_s3[0]};
+  wire hit_s3 = ~eq_1_s3;  // units/direct_lines.h:20
+  wire and_1_s3 = hit_s3 & (~request_48_s3);  // units/cache_lookup.h:112
+  wire [1:0] mux_1_s3 = {2{request_48_s3}} | row_line_kind_s3;  // units/cache_lookup.h:38
+  wire [18:0] mux_2_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : row_line_left_s3[18:1], ~request_48_s3 & row_line_left_s3[0]};
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(94), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 3),
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s3 && (request_48_s3 | eq_1_s3)), .ready_o(reply_room),
-    .data_i({row_line_right_s3, mux_3_s3, row_line_split_s3, mux_1_s3, request_6_s3, request_0_s3}),
+    .valid_i(valid_s3 && (~and_1_s3)), .ready_o(reply_room),
+    .data_i({item_right_s3, mux_2_s3, row_line_split_s3, mux_1_s3, request_6_s3, r_context_packet_s3}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
   wire [24:0] miss_stored;
   hls_fifo #(.WIDTH(25), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 3),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s3 && ((~request_48_s3) & (~eq_1_s3))), .ready_o(miss_room),
-    .data_i({request_48_s3, request_39_s3, request_30_s3, request_0_s3}),
+    .valid_i(valid_s3 && and_1_s3), .ready_o(miss_room),
+    .data_i({request_48_s3, request_39_s3, request_30_s3, r_context_packet_s3}),
     .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_stored));
   assign miss_data_o = {miss_stored[24:6], 2'd0, miss_stored[5:0], 2'd0};
+  assign waiting_en_o = valid_s3;
+  assign waiting_addr_o = {2'd0, r_context_packet_s3};
+  assign waiting_data_o = {request_6_s3, r_context_packet_s3};
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
-  assign waiting_en_o = valid_s3;
-  assign waiting_addr_o = {2'd0, request_0_s3};
-  assign waiting_data_o = {request_6_s3, request_0_s3};
 
   wire unused = &{1'b0,
     frame_i[31:0],

@@ -16,12 +16,12 @@ module packet_decoder #(
   output wire record_en_o,
   output wire [5:0] record_addr_o,
   input  wire [50:0] record_data_i,
-  output wire traced_valid_o,
-  input  wire traced_ready_i,
-  output wire [186:0] traced_data_o,
   output wire vectors_en_o,
   output wire [9:0] vectors_addr_o,
   output wire [71:0] vectors_data_o,
+  output wire traced_valid_o,
+  input  wire traced_ready_i,
+  output wire [186:0] traced_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -92,11 +92,11 @@ module packet_decoder #(
   end
   reg  [2:0] spacing_last_q;
   reg  [2:0] spacing_before_q;
-  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/packet_decoder.h:124
+  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/traced_rays.h:24
   wire eq_1_s2 = spacing_last_q == in_ray_s2;  // units/lane_spacing.h:19
   wire eq_2_s2 = spacing_before_q == in_ray_s2;  // units/lane_spacing.h:20
   wire not_3_s2 = ~in_point_s2;
-  wire and_2_s2 = (~record_1_s2) & not_3_s2;
+  wire and_3_s2 = (~record_1_s2) & not_3_s2;
   wire [2:0] mux_3_s2 = in_point_s2 ? spacing_before_q : (record_1_s2 ? spacing_before_q : spacing_last_q);
   wire [2:0] mux_5_s2 = in_point_s2 ? spacing_last_q : (record_1_s2 ? spacing_last_q : in_ray_s2);
 
@@ -111,7 +111,7 @@ module packet_decoder #(
   reg  eq_1_s3;
   reg  eq_2_s3;
   reg  not_3_s3;
-  reg  and_2_s3;
+  reg  and_3_s3;
   reg  [23:0] in_vector_x_s3;
   reg  [23:0] in_vector_y_s3;
   reg  [23:0] in_vector_z_s3;
@@ -128,7 +128,7 @@ module packet_decoder #(
     eq_1_s3 <= eq_1_s2;
     eq_2_s3 <= eq_2_s2;
     not_3_s3 <= not_3_s2;
-    and_2_s3 <= and_2_s2;
+    and_3_s3 <= and_3_s2;
     in_vector_x_s3 <= in_vector_x_s2;
     in_vector_y_s3 <= in_vector_y_s2;
     in_vector_z_s3 <= in_vector_z_s2;
@@ -136,29 +136,29 @@ module packet_decoder #(
     record_2_s3 <= record_2_s2;
   end
   reg  [1:0] spacing_any_q;
-  wire level_s3 = {record_1_s3, record_0_s3} == 2'd1;  // units/packet_decoder.h:58
+  wire level_s3 = {record_1_s3, record_0_s3} == 2'd1;  // units/packet_decoder.h:56
   wire is_last_s3 = spacing_any_q[0] & eq_1_s3;  // units/lane_spacing.h:19
   wire is_before_s3 = spacing_any_q[1] & eq_2_s3;  // units/lane_spacing.h:20
-  wire follows_s3 = spacing_any_q[0] & (~(is_last_s3 | is_before_s3));  // units/lane_spacing.h:23
-  wire [1:0] mux_1_s3 = {is_last_s3 ? 1'd1 : 1'd0, ~is_last_s3 & is_before_s3};  // units/packet_decoder.h:89
-  wire and_1_s3 = in_point_s3 & camera_s3;
-  wire [1:0] mux_6_s3 = {record_1_s3 ? spacing_any_q[1] : follows_s3, ~record_1_s3 | spacing_any_q[0]};
+  wire [1:0] mux_1_s3 = {is_last_s3 ? 1'd1 : 1'd0, ~is_last_s3 & is_before_s3};  // units/traced_rays.h:36
+  wire and_1_s3 = spacing_any_q[0] & (~(is_last_s3 | is_before_s3));  // units/traced_rays.h:38
+  wire and_2_s3 = in_point_s3 & camera_s3;
+  wire [1:0] mux_6_s3 = {record_1_s3 ? spacing_any_q[1] : and_1_s3, ~record_1_s3 | spacing_any_q[0]};
   reg  [23:0] camera_origin_x_q;
-  wire [23:0] mux_8_s3 = and_1_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/packet_decoder.h:126
-  wire or_2_s3 = camera_s3 | not_3_s3;  // units/packet_decoder.h:127
+  wire [23:0] mux_8_s3 = and_2_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/traced_rays.h:26
+  wire or_2_s3 = camera_s3 | not_3_s3;  // units/traced_rays.h:27
   reg  [23:0] origin_x_q;
-  wire [23:0] mux_9_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/packet_decoder.h:127
-  wire [23:0] mux_10_s3 = camera_s3 ? mux_8_s3 : mux_9_s3;  // units/packet_decoder.h:128
+  wire [23:0] mux_9_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/traced_rays.h:27
+  wire [23:0] mux_10_s3 = camera_s3 ? mux_8_s3 : mux_9_s3;  // units/traced_rays.h:28
   reg  [23:0] camera_origin_y_q;
-  wire [23:0] mux_11_s3 = and_1_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/packet_decoder.h:126
+  wire [23:0] mux_11_s3 = and_2_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/traced_rays.h:26
   reg  [23:0] origin_y_q;
-  wire [23:0] mux_12_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/packet_decoder.h:127
-  wire [23:0] mux_13_s3 = camera_s3 ? mux_11_s3 : mux_12_s3;  // units/packet_decoder.h:128
+  wire [23:0] mux_12_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/traced_rays.h:27
+  wire [23:0] mux_13_s3 = camera_s3 ? mux_11_s3 : mux_12_s3;  // units/traced_rays.h:28
   reg  [23:0] camera_origin_z_q;
-  wire [23:0] mux_14_s3 = and_1_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/packet_decoder.h:126
+  wire [23:0] mux_14_s3 = and_2_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/traced_rays.h:26
   reg  [23:0] origin_z_q;
-  wire [23:0] mux_15_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/packet_decoder.h:127
-  wire [23:0] mux_16_s3 = camera_s3 ? mux_14_s3 : mux_15_s3;  // units/packet_decoder.h:128
+  wire [23:0] mux_15_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/traced_rays.h:27
+  wire [23:0] mux_16_s3 = camera_s3 ? mux_14_s3 : mux_15_s3;  // units/traced_rays.h:28
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin
@@ -199,17 +199,17 @@ module packet_decoder #(
   end
   assign record_en_o = valid_s0;
   assign record_addr_o = in_packet_s0;
+  assign vectors_en_o = valid_s3 && not_3_s3;
+  assign vectors_addr_o = {level_s3, in_packet_s3, in_ray_s3};
+  assign vectors_data_o = {in_vector_z_s3, in_vector_y_s3, in_vector_x_s3};
   wire [183:0] traced_stored;
   hls_fifo #(.WIDTH(184), .DEPTH(TRACED_DEPTH), .MARGIN(TRACED_BOUNDED ? 0 : 3),
     .BOUNDED(TRACED_BOUNDED)) traced_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s3 && and_2_s3), .ready_o(traced_room),
+    .valid_i(valid_s3 && and_3_s3), .ready_o(traced_room),
     .data_i({in_vector_z_s3, in_vector_y_s3, in_vector_x_s3, mux_16_s3, mux_13_s3, mux_10_s3, in_last_value_s3, record_2_s3, in_ray_s3, in_packet_s3, camera_s3, mux_1_s3}),
     .valid_o(traced_valid_o), .ready_i(traced_ready_i), .data_o(traced_stored));
   assign traced_data_o = {traced_stored[183:2], 3'd0, traced_stored[1:0]};
-  assign vectors_en_o = valid_s3 && not_3_s3;
-  assign vectors_addr_o = {level_s3, in_packet_s3, in_ray_s3};
-  assign vectors_data_o = {in_vector_z_s3, in_vector_y_s3, in_vector_x_s3};
 
   wire unused = &{1'b0,
     record_data_i[50:29],

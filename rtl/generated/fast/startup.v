@@ -49,7 +49,7 @@ module startup #(
   wire [5:0] number_0_s0 = number_data_i[5:0];
   wire [2:0] number_6_s0 = number_data_i[8:6];
   wire number_9_s0 = number_data_i[9];
-  wire not_1_s0 = ~number_9_s0;  // units/startup.h:35
+  wire not_1_s0 = ~number_9_s0;  // units/startup.h:56
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(6), .DEPTH(FREE_DEPTH), .MARGIN(FREE_BOUNDED ? 0 : 0),

@@ -1094,12 +1094,12 @@ module dynrt_core (
     .miss_valid_o(node_lookup__miss_valid),
     .miss_ready_i(node_lookup__miss_ready),
     .miss_data_o(node_lookup__miss_data),
-    .lines_en_o(node_lookup__lines_en),
-    .lines_addr_o(node_lookup__lines_addr),
-    .lines_data_i(node_lookup__lines_data),
     .waiting_en_o(node_lookup__waiting_en),
     .waiting_addr_o(node_lookup__waiting_addr),
     .waiting_data_o(node_lookup__waiting_data),
+    .lines_en_o(node_lookup__lines_en),
+    .lines_addr_o(node_lookup__lines_addr),
+    .lines_data_i(node_lookup__lines_data),
     .fire_o(node_lookup_fire), .stall_o(node_lookup_stall));
 
   node_fill u_node_fill (
@@ -1111,12 +1111,12 @@ module dynrt_core (
     .reply_valid_o(node_fill__reply_valid),
     .reply_ready_i(node_fill__reply_ready),
     .reply_data_o(node_fill__reply_data),
-    .lines_en_o(node_fill__lines_en),
-    .lines_addr_o(node_fill__lines_addr),
-    .lines_data_o(node_fill__lines_data),
     .waiting_en_o(node_fill__waiting_en),
     .waiting_addr_o(node_fill__waiting_addr),
     .waiting_data_i(node_fill__waiting_data),
+    .lines_en_o(node_fill__lines_en),
+    .lines_addr_o(node_fill__lines_addr),
+    .lines_data_o(node_fill__lines_data),
     .fire_o(node_fill_fire), .stall_o(node_fill_stall));
 
   traversal_slice #(.DECISION_DEPTH(32), .DECISION_BOUNDED(1)) u_slice_0 (
@@ -1240,12 +1240,12 @@ module dynrt_core (
     .miss_valid_o(list_lookup__miss_valid),
     .miss_ready_i(list_lookup__miss_ready),
     .miss_data_o(list_lookup__miss_data),
-    .lines_en_o(list_lookup__lines_en),
-    .lines_addr_o(list_lookup__lines_addr),
-    .lines_data_i(list_lookup__lines_data),
     .waiting_en_o(list_lookup__waiting_en),
     .waiting_addr_o(list_lookup__waiting_addr),
     .waiting_data_o(list_lookup__waiting_data),
+    .lines_en_o(list_lookup__lines_en),
+    .lines_addr_o(list_lookup__lines_addr),
+    .lines_data_i(list_lookup__lines_data),
     .fire_o(list_lookup_fire), .stall_o(list_lookup_stall));
 
   list_fill u_list_fill (
@@ -1257,12 +1257,12 @@ module dynrt_core (
     .reply_valid_o(list_fill__reply_valid),
     .reply_ready_i(list_fill__reply_ready),
     .reply_data_o(list_fill__reply_data),
-    .lines_en_o(list_fill__lines_en),
-    .lines_addr_o(list_fill__lines_addr),
-    .lines_data_o(list_fill__lines_data),
     .waiting_en_o(list_fill__waiting_en),
     .waiting_addr_o(list_fill__waiting_addr),
     .waiting_data_i(list_fill__waiting_data),
+    .lines_en_o(list_fill__lines_en),
+    .lines_addr_o(list_fill__lines_addr),
+    .lines_data_o(list_fill__lines_data),
     .fire_o(list_fill_fire), .stall_o(list_fill_stall));
 
   packet_mailbox #(.FRESH_DEPTH(32), .FRESH_BOUNDED(1), .SEEN_DEPTH(32), .SEEN_BOUNDED(1), .START_DEPTH(32), .START_BOUNDED(1)) u_mailbox (
@@ -1307,12 +1307,12 @@ module dynrt_core (
     .miss_valid_o(matrix_lookup__miss_valid),
     .miss_ready_i(matrix_lookup__miss_ready),
     .miss_data_o(matrix_lookup__miss_data),
-    .lines_en_o(matrix_lookup__lines_en),
-    .lines_addr_o(matrix_lookup__lines_addr),
-    .lines_data_i(matrix_lookup__lines_data),
     .waiting_en_o(matrix_lookup__waiting_en),
     .waiting_addr_o(matrix_lookup__waiting_addr),
     .waiting_data_o(matrix_lookup__waiting_data),
+    .lines_en_o(matrix_lookup__lines_en),
+    .lines_addr_o(matrix_lookup__lines_addr),
+    .lines_data_i(matrix_lookup__lines_data),
     .fire_o(matrix_lookup_fire), .stall_o(matrix_lookup_stall));
 
   matrix_fill u_matrix_fill (
@@ -1324,12 +1324,12 @@ module dynrt_core (
     .reply_valid_o(matrix_fill__reply_valid),
     .reply_ready_i(matrix_fill__reply_ready),
     .reply_data_o(matrix_fill__reply_data),
-    .lines_en_o(matrix_fill__lines_en),
-    .lines_addr_o(matrix_fill__lines_addr),
-    .lines_data_o(matrix_fill__lines_data),
     .waiting_en_o(matrix_fill__waiting_en),
     .waiting_addr_o(matrix_fill__waiting_addr),
     .waiting_data_i(matrix_fill__waiting_data),
+    .lines_en_o(matrix_fill__lines_en),
+    .lines_addr_o(matrix_fill__lines_addr),
+    .lines_data_o(matrix_fill__lines_data),
     .fire_o(matrix_fill_fire), .stall_o(matrix_fill_stall));
 
   matrix_store #(.READY_DEPTH(32), .READY_BOUNDED(1)) u_matrix_store (
@@ -1338,9 +1338,12 @@ module dynrt_core (
     .reply_ready_o(matrix_store__reply_ready),
     .reply_data_i(matrix_store__reply_data),
     .frame_i(frame_i),
-    .ready_valid_o(matrix_store__ready_valid),
-    .ready_ready_i(matrix_store__ready_ready),
-    .ready_data_o(matrix_store__ready_data),
+    .record_en_o(matrix_store__record_en),
+    .record_addr_o(matrix_store__record_addr),
+    .record_data_o(matrix_store__record_data),
+    .object_en_o(matrix_store__object_en),
+    .object_addr_o(matrix_store__object_addr),
+    .object_data_o(matrix_store__object_data),
     .column_0_en_o(matrix_store__column_0_en),
     .column_0_addr_o(matrix_store__column_0_addr),
     .column_0_data_o(matrix_store__column_0_data),
@@ -1353,12 +1356,9 @@ module dynrt_core (
     .column_3_en_o(matrix_store__column_3_en),
     .column_3_addr_o(matrix_store__column_3_addr),
     .column_3_data_o(matrix_store__column_3_data),
-    .record_en_o(matrix_store__record_en),
-    .record_addr_o(matrix_store__record_addr),
-    .record_data_o(matrix_store__record_data),
-    .object_en_o(matrix_store__object_en),
-    .object_addr_o(matrix_store__object_addr),
-    .object_data_o(matrix_store__object_data),
+    .ready_valid_o(matrix_store__ready_valid),
+    .ready_ready_i(matrix_store__ready_ready),
+    .ready_data_o(matrix_store__ready_data),
     .fire_o(matrix_store_fire), .stall_o(matrix_store_stall));
 
   send_packet u_send_packet (
@@ -1407,6 +1407,9 @@ module dynrt_core (
     .record_en_o(packet_decoder__record_en),
     .record_addr_o(packet_decoder__record_addr),
     .record_data_i(packet_decoder__record_data),
+    .vectors_en_o(packet_decoder__vectors_en),
+    .vectors_addr_o(packet_decoder__vectors_addr),
+    .vectors_data_o(packet_decoder__vectors_data),
     .unit_ray_valid_o(packet_decoder__unit_ray_valid),
     .unit_ray_ready_i(packet_decoder__unit_ray_ready),
     .unit_ray_data_o(packet_decoder__unit_ray_data),
@@ -1425,9 +1428,6 @@ module dynrt_core (
     .ray_3_en_o(packet_decoder__ray_3_en),
     .ray_3_addr_o(packet_decoder__ray_3_addr),
     .ray_3_data_o(packet_decoder__ray_3_data),
-    .vectors_en_o(packet_decoder__vectors_en),
-    .vectors_addr_o(packet_decoder__vectors_addr),
-    .vectors_data_o(packet_decoder__vectors_data),
     .fire_o(packet_decoder_fire), .stall_o(packet_decoder_stall));
 
   intersection u_intersection (
@@ -1480,15 +1480,15 @@ module dynrt_core (
     .job_ready_o(shading__job_ready),
     .job_data_i(shading__job_data),
     .frame_i(frame_i),
-    .free_valid_o(shading__free_valid),
-    .free_ready_i(shading__free_ready),
-    .free_data_o(shading__free_data),
     .hit_en_o(shading__hit_en),
     .hit_addr_o(shading__hit_addr),
     .hit_data_i(shading__hit_data),
     .position_en_o(shading__position_en),
     .position_addr_o(shading__position_addr),
     .position_data_i(shading__position_data),
+    .free_valid_o(shading__free_valid),
+    .free_ready_i(shading__free_ready),
+    .free_data_o(shading__free_data),
     .bank_0_en_o(shading__bank_0_en),
     .bank_0_addr_o(shading__bank_0_addr),
     .bank_0_data_o(shading__bank_0_data),

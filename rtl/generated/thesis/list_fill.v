@@ -17,12 +17,12 @@ module list_fill #(
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [42:0] reply_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  output wire [52:0] lines_data_o,
   output wire waiting_en_o,
   output wire [6:0] waiting_addr_o,
   input  wire [5:0] waiting_data_i,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  output wire [52:0] lines_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -40,8 +40,8 @@ module list_fill #(
   // ---- stage 0 ----
   wire fill_0_s0 = fill_data_i[0];
   wire [8:0] fill_8_s0 = fill_data_i[16:8];
-  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:36
-  wire [8:0] line_s0 = fill_8_s0 & frame_32_still;  // units/cache_fill.h:31
+  wire not_1_s0 = ~fill_0_s0;  // units/direct_lines.h:51
+  wire [8:0] line_s0 = fill_8_s0 & frame_32_still;  // units/cache_fill.h:35
   wire [6:0] fill_1_s0 = fill_data_i[7:1];
   wire [31:0] fill_27_s0 = fill_data_i[58:27];
   wire [9:0] fill_17_s0 = fill_data_i[26:17];
@@ -72,11 +72,11 @@ module list_fill #(
     .data_i({fill_27_s1, waiting_s1}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_stored));
   assign reply_data_o = {reply_stored[37:6], 5'd0, reply_stored[5:0]};
+  assign waiting_en_o = valid_s0;
+  assign waiting_addr_o = fill_1_s0;
   assign lines_en_o = valid_s1;
   assign lines_addr_o = line_s1;
   assign lines_data_o = {fill_27_s1, fill_17_s1, fill_8_s1, not_1_s1, 1'd0};
-  assign waiting_en_o = valid_s0;
-  assign waiting_addr_o = fill_1_s0;
 
   wire unused = &{1'b0,
     frame_i[31:0],

@@ -22,12 +22,12 @@ module list_lookup #(
   output wire miss_valid_o,
   input  wire miss_ready_i,
   output wire [27:0] miss_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  input  wire [52:0] lines_data_i,
   output wire waiting_en_o,
   output wire [6:0] waiting_addr_o,
   output wire [5:0] waiting_data_o,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  input  wire [52:0] lines_data_i,
   output wire fire_o,
   output wire stall_o
 );
@@ -46,7 +46,7 @@ module list_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_6_s0 = request_data_i[14:6];
   wire [9:0] request_15_s0 = request_data_i[24:15];
-  wire [8:0] line_s0 = frame_32_still & request_6_s0;  // units/cache_lookup.h:100
+  wire [8:0] line_s0 = frame_32_still & request_6_s0;  // units/cache_lookup.h:106
   wire [4:0] r_context_packet_s0 = request_data_i[4:0];
   wire request_5_s0 = request_data_i[5];
 
@@ -83,7 +83,7 @@ module list_lookup #(
     lines_21_s2 <= lines_21_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_15_s2, request_6_s2, 2'd2};  // units/cache_lookup.h:145
+  wire eq_1_s2 = lines_0_s2 == {request_15_s2, request_6_s2, 2'd2};  // units/direct_lines.h:20
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -102,6 +102,7 @@ module list_lookup #(
     lines_21_s3 <= lines_21_s2;
     request_5_s3 <= request_5_s2;
   end
+  wire hit_s3 = ~eq_1_s3;  // units/direct_lines.h:20
 
   // ---- state, rows and tokens written ----
   wire [37:0] reply_stored;
@@ -116,15 +117,15 @@ module list_lookup #(
   hls_fifo #(.WIDTH(24), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 3),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s3 && (~eq_1_s3)), .ready_o(miss_room),
+    .valid_i(valid_s3 && hit_s3), .ready_o(miss_room),
     .data_i({request_15_s3, request_6_s3, r_context_packet_s3}),
     .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_stored));
   assign miss_data_o = {miss_stored[23:5], 2'd0, miss_stored[4:0], 2'd1};
-  assign lines_en_o = valid_s0;
-  assign lines_addr_o = line_s0;
   assign waiting_en_o = valid_s3;
   assign waiting_addr_o = {2'd0, r_context_packet_s3};
   assign waiting_data_o = {request_5_s3, r_context_packet_s3};
+  assign lines_en_o = valid_s0;
+  assign lines_addr_o = line_s0;
 
   wire unused = &{1'b0,
     frame_i[31:0],

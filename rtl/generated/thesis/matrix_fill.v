@@ -17,12 +17,12 @@ module matrix_fill #(
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [127:0] reply_data_o,
-  output wire lines_en_o,
-  output wire [8:0] lines_addr_o,
-  output wire [116:0] lines_data_o,
   output wire waiting_en_o,
   output wire [6:0] waiting_addr_o,
   input  wire [12:0] waiting_data_i,
+  output wire lines_en_o,
+  output wire [8:0] lines_addr_o,
+  output wire [116:0] lines_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -54,8 +54,8 @@ module matrix_fill #(
     f_address_s1 <= f_address_s0;
     fill_17_s1 <= fill_17_s0;
   end
-  wire not_1_s1 = ~f_invalidate_s1;  // units/cache_fill.h:31
-  wire [8:0] line_s1 = f_address_s1 & frame_32_still;  // units/cache_fill.h:31
+  wire not_1_s1 = ~f_invalidate_s1;  // units/cache_fill.h:35
+  wire [8:0] line_s1 = f_address_s1 & frame_32_still;  // units/cache_fill.h:35
   wire [12:0] waiting_s1 = waiting_data_i;
 
   // ---- stage 2 ----
@@ -81,11 +81,11 @@ module matrix_fill #(
     .valid_i(valid_s2 && not_1_s2), .ready_o(reply_room),
     .data_i({fill_17_s2, f_address_s2, waiting_s2}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
+  assign waiting_en_o = valid_s0;
+  assign waiting_addr_o = f_key_s0;
   assign lines_en_o = valid_s2;
   assign lines_addr_o = line_s2;
   assign lines_data_o = {fill_17_s2, f_address_s2, not_1_s2, 1'd0};
-  assign waiting_en_o = valid_s0;
-  assign waiting_addr_o = f_key_s0;
 
   wire unused = &{1'b0,
     frame_i[31:0],

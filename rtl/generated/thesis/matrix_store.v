@@ -14,9 +14,12 @@ module matrix_store #(
   output wire reply_ready_o,
   input  wire [127:0] reply_data_i,
   input  wire [511:0] frame_i,
-  output wire ready_valid_o,
-  input  wire ready_ready_i,
-  output wire [10:0] ready_data_o,
+  output wire record_en_o,
+  output wire [4:0] record_addr_o,
+  output wire [46:0] record_data_o,
+  output wire object_en_o,
+  output wire [4:0] object_addr_o,
+  output wire [16:0] object_data_o,
   output wire column_0_en_o,
   output wire [4:0] column_0_addr_o,
   output wire [71:0] column_0_data_o,
@@ -29,12 +32,9 @@ module matrix_store #(
   output wire column_3_en_o,
   output wire [4:0] column_3_addr_o,
   output wire [71:0] column_3_data_o,
-  output wire record_en_o,
-  output wire [4:0] record_addr_o,
-  output wire [46:0] record_data_o,
-  output wire object_en_o,
-  output wire [4:0] object_addr_o,
-  output wire [16:0] object_data_o,
+  output wire ready_valid_o,
+  input  wire ready_ready_i,
+  output wire [10:0] ready_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -56,15 +56,15 @@ module matrix_store #(
   wire [7:0] r_line_row_0_spare_s0 = reply_data_i[63:56];
   wire [7:0] r_line_row_1_spare_s0 = reply_data_i[95:88];
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[127:120];
-  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:92
+  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/stored_triangle.h:42
   wire [4:0] r_context_packet_s0 = reply_data_i[4:0];
   wire [25:0] progress_row;
-  wire [1:0] progress_0_s0 = progress_row[1:0];
+  wire [1:0] columns_s0 = progress_row[1:0];
   wire [23:0] progress_2_s0 = progress_row[25:2];
-  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:61
+  wire complete_s0 = columns_s0 == 2'd3;  // units/matrix_store.h:62
   wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : progress_2_s0;
   wire [16:0] matrix_s0 = reply_data_i[31:15];
-  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:135
+  wire [1:0] add_1_s0 = columns_s0 + 2'd1;  // units/stored_triangle.h:49
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[119:96];
   wire [23:0] r_line_row_1_value_s0 = reply_data_i[87:64];
   wire [23:0] r_line_row_0_value_s0 = reply_data_i[55:32];
@@ -89,26 +89,6 @@ module matrix_store #(
   end
 
   // ---- state, rows and tokens written ----
-  wire [7:0] ready_stored;
-  hls_fifo #(.WIDTH(8), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 1),
-    .BOUNDED(READY_BOUNDED)) ready_fifo (
-    .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s1 && complete_s1), .ready_o(ready_room),
-    .data_i({r_context_kind_s1, r_context_packet_s1, frame_352_still}),
-    .valid_o(ready_valid_o), .ready_i(ready_ready_i), .data_o(ready_stored));
-  assign ready_data_o = {ready_stored[7:1], 2'd1, {2{ready_stored[0]}}};
-  assign column_0_en_o = valid_s0 && eq_1_s0;
-  assign column_0_addr_o = r_context_packet_s0;
-  assign column_0_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
-  assign column_1_en_o = valid_s0 && (reply_11_s0 & (~reply_12_s0));
-  assign column_1_addr_o = r_context_packet_s0;
-  assign column_1_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
-  assign column_2_en_o = valid_s0 && (reply_12_s0 & (~reply_11_s0));
-  assign column_2_addr_o = r_context_packet_s0;
-  assign column_2_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
-  assign column_3_en_o = valid_s0 && (reply_11_s0 & reply_12_s0);
-  assign column_3_addr_o = r_context_packet_s0;
-  assign column_3_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
   assign record_en_o = valid_s1 && complete_s1;
   assign record_addr_o = r_context_packet_s1;
   assign record_data_o = {matrix_s1, mux_1_s1, reply_7_s1, r_context_kind_s1};
@@ -122,6 +102,26 @@ module matrix_store #(
     .write_en_i(progress_write), .write_addr_i(progress_write_addr),
     .write_data_i({mux_1_s0, add_1_s0}),
     .read_addr_i(r_context_packet_s0), .read_data_o(progress_row));
+  assign column_0_en_o = valid_s0 && eq_1_s0;
+  assign column_0_addr_o = r_context_packet_s0;
+  assign column_0_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
+  assign column_1_en_o = valid_s0 && (reply_11_s0 & (~reply_12_s0));
+  assign column_1_addr_o = r_context_packet_s0;
+  assign column_1_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
+  assign column_2_en_o = valid_s0 && (reply_12_s0 & (~reply_11_s0));
+  assign column_2_addr_o = r_context_packet_s0;
+  assign column_2_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
+  assign column_3_en_o = valid_s0 && (reply_11_s0 & reply_12_s0);
+  assign column_3_addr_o = r_context_packet_s0;
+  assign column_3_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
+  wire [7:0] ready_stored;
+  hls_fifo #(.WIDTH(8), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 1),
+    .BOUNDED(READY_BOUNDED)) ready_fifo (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i(valid_s1 && complete_s1), .ready_o(ready_room),
+    .data_i({r_context_kind_s1, r_context_packet_s1, frame_352_still}),
+    .valid_o(ready_valid_o), .ready_i(ready_ready_i), .data_o(ready_stored));
+  assign ready_data_o = {ready_stored[7:1], 2'd1, {2{ready_stored[0]}}};
 
   wire unused = &{1'b0,
     frame_i[351:0],

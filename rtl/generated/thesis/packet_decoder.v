@@ -18,6 +18,9 @@ module packet_decoder #(
   output wire record_en_o,
   output wire [4:0] record_addr_o,
   input  wire [46:0] record_data_i,
+  output wire vectors_en_o,
+  output wire [8:0] vectors_addr_o,
+  output wire [71:0] vectors_data_o,
   output wire unit_ray_valid_o,
   input  wire unit_ray_ready_i,
   output wire [151:0] unit_ray_data_o,
@@ -36,9 +39,6 @@ module packet_decoder #(
   output wire ray_3_en_o,
   output wire [5:0] ray_3_addr_o,
   output wire [143:0] ray_3_data_o,
-  output wire vectors_en_o,
-  output wire [8:0] vectors_addr_o,
-  output wire [71:0] vectors_data_o,
   output wire fire_o,
   output wire stall_o
 );
@@ -99,14 +99,14 @@ module packet_decoder #(
   reg  [23:0] origin_z_q;
   wire record_0_s1 = record_data_i[0];
   wire record_1_s1 = record_data_i[1];
-  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:51
-  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:58
+  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:49
+  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:56
   wire [18:0] record_6_s1 = record_data_i[24:6];
   wire [23:0] mux_1_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;
   wire [23:0] r_origin_y_s1 = in_point_s1 ? in_vector_y_s1 : origin_y_q;
   wire [23:0] r_origin_z_s1 = in_point_s1 ? in_vector_z_s1 : origin_z_q;
   wire and_2_s1 = triangle_s1 & not_1_s1;
-  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:57
+  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:55
   wire [3:0] job_active_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
@@ -124,6 +124,9 @@ module packet_decoder #(
   end
   assign record_en_o = valid_s0;
   assign record_addr_o = in_packet_s0;
+  assign vectors_en_o = valid_s1 && triangle_s1;
+  assign vectors_addr_o = {level_s1, in_packet_s1, in_ray_s1, not_1_s1};
+  assign vectors_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1};
   hls_fifo #(.WIDTH(152), .DEPTH(UNIT_RAY_DEPTH), .MARGIN(UNIT_RAY_BOUNDED ? 0 : 1),
     .BOUNDED(UNIT_RAY_BOUNDED)) unit_ray_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
@@ -150,9 +153,6 @@ module packet_decoder #(
   assign ray_3_en_o = valid_s1 && (eq_5_s1 & and_2_s1);
   assign ray_3_addr_o = {level_s1, in_packet_s1};
   assign ray_3_data_o = {in_vector_z_s1, r_origin_z_s1, in_vector_y_s1, r_origin_y_s1, in_vector_x_s1, mux_1_s1};
-  assign vectors_en_o = valid_s1 && triangle_s1;
-  assign vectors_addr_o = {level_s1, in_packet_s1, in_ray_s1, not_1_s1};
-  assign vectors_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1};
 
   wire unused = &{1'b0,
     record_data_i[46:25]};

@@ -14,15 +14,15 @@ module shading #(
   output wire job_ready_o,
   input  wire [13:0] job_data_i,
   input  wire [511:0] frame_i,
-  output wire free_valid_o,
-  input  wire free_ready_i,
-  output wire [4:0] free_data_o,
   output wire hit_en_o,
   output wire [6:0] hit_addr_o,
   input  wire [154:0] hit_data_i,
   output wire position_en_o,
   output wire [4:0] position_addr_o,
   input  wire [19:0] position_data_i,
+  output wire free_valid_o,
+  input  wire free_ready_i,
+  output wire [4:0] free_data_o,
   output wire bank_0_en_o,
   output wire [19:0] bank_0_addr_o,
   output wire [31:0] bank_0_data_o,
@@ -51,12 +51,12 @@ module shading #(
   wire [10:0] frame_96_config = frame_i[106:96];
   reg  [10:0] frame_96_still;
   always @(posedge clk_i) frame_96_still <= frame_96_config;
-  wire [19:0] frame_288_config = frame_i[307:288];
-  reg  [19:0] frame_288_still;
-  always @(posedge clk_i) frame_288_still <= frame_288_config;
   wire frame_320_config = frame_i[320];
   reg  frame_320_still;
   always @(posedge clk_i) frame_320_still <= frame_320_config;
+  wire [19:0] frame_288_config = frame_i[307:288];
+  reg  [19:0] frame_288_still;
+  always @(posedge clk_i) frame_288_still <= frame_288_config;
 
   // ---- stage 0 ----
   wire [1:0] word_s0 = job_data_i[3:2];
@@ -82,7 +82,6 @@ module shading #(
   end
   wire h_hit_s1 = hit_data_i[0];
   wire [23:0] hit_1_s1 = hit_data_i[24:1];
-  wire [23:0] hit_25_s1 = hit_data_i[48:25];
   wire [23:0] hit_49_s1 = hit_data_i[72:49];
   wire [7:0] hit_73_s1 = hit_data_i[80:73];
   wire [7:0] hit_81_s1 = hit_data_i[88:81];
@@ -90,7 +89,6 @@ module shading #(
   wire hit_95_s1 = hit_data_i[95];
   wire hit_96_s1 = hit_data_i[96];
   wire [16:0] hit_97_s1 = hit_data_i[113:97];
-  wire [16:0] hit_114_s1 = hit_data_i[130:114];
   wire position_0_s1 = position_data_i[0];
   wire [8:0] position_1_s1 = position_data_i[9:1];
   wire position_10_s1 = position_data_i[10];
@@ -99,6 +97,8 @@ module shading #(
   wire [7:0] hit_147_s1 = hit_data_i[154:147];
   wire [7:0] hit_139_s1 = hit_data_i[146:139];
   wire [7:0] hit_131_s1 = hit_data_i[138:131];
+  wire [23:0] h_u_s1 = hit_data_i[48:25];
+  wire [16:0] h_triangle_s1 = hit_data_i[130:114];
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -107,7 +107,6 @@ module shading #(
   reg  job_0_s2;
   reg  h_hit_s2;
   reg  [23:0] hit_1_s2;
-  reg  [23:0] hit_25_s2;
   reg  [23:0] hit_49_s2;
   reg  [7:0] hit_73_s2;
   reg  [7:0] hit_81_s2;
@@ -115,7 +114,6 @@ module shading #(
   reg  hit_95_s2;
   reg  hit_96_s2;
   reg  [16:0] hit_97_s2;
-  reg  [16:0] hit_114_s2;
   reg  position_0_s2;
   reg  [8:0] position_1_s2;
   reg  or_2_s2;
@@ -123,6 +121,8 @@ module shading #(
   reg  [7:0] hit_147_s2;
   reg  [7:0] hit_139_s2;
   reg  [7:0] hit_131_s2;
+  reg  [23:0] h_u_s2;
+  reg  [16:0] h_triangle_s2;
   reg  j_last_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
@@ -131,7 +131,6 @@ module shading #(
     job_0_s2 <= job_0_s1;
     h_hit_s2 <= h_hit_s1;
     hit_1_s2 <= hit_1_s1;
-    hit_25_s2 <= hit_25_s1;
     hit_49_s2 <= hit_49_s1;
     hit_73_s2 <= hit_73_s1;
     hit_81_s2 <= hit_81_s1;
@@ -139,7 +138,6 @@ module shading #(
     hit_95_s2 <= hit_95_s1;
     hit_96_s2 <= hit_96_s1;
     hit_97_s2 <= hit_97_s1;
-    hit_114_s2 <= hit_114_s1;
     position_0_s2 <= position_0_s1;
     position_1_s2 <= position_1_s1;
     or_2_s2 <= or_2_s1;
@@ -147,10 +145,11 @@ module shading #(
     hit_147_s2 <= hit_147_s1;
     hit_139_s2 <= hit_139_s1;
     hit_131_s2 <= hit_131_s1;
+    h_u_s2 <= h_u_s1;
+    h_triangle_s2 <= h_triangle_s1;
     j_last_s2 <= j_last_s1;
   end
   wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_still;  // units/shading.h:55
-  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:57
   wire lt_3_s2 = {hit_95_s2, hit_89_s2} < 7'd63;  // units/colour.h:21
   wire [5:0] not_1_s2 = ~hit_89_s2;  // units/colour.h:24
   wire lt_4_s2 = hit_89_s2 < 6'd55;  // units/colour.h:24
@@ -159,12 +158,13 @@ module shading #(
   wire [8:0] mux_3_s2 = {~{8{not_1_s2[3]}} & mux_2_s2[8:1], not_1_s2[3] ? mux_2_s2[8] : mux_2_s2[0]};  // units/colour.h:24
   wire [8:0] mux_4_s2 = {~{4{not_1_s2[2]}} & mux_3_s2[8:5], not_1_s2[2] ? mux_3_s2[8:4] : mux_3_s2[4:0]};  // units/colour.h:24
   wire [8:0] mux_5_s2 = {~{2{not_1_s2[1]}} & mux_4_s2[8:7], not_1_s2[1] ? mux_4_s2[8:2] : mux_4_s2[6:0]};  // units/colour.h:24
-  wire eq_2_s2 = word_s2 == 2'd0;  // units/shading.h:153
-  wire eq_3_s2 = word_s2 == 2'd1;  // units/shading.h:154
-  wire [31:0] mux_9_s2 = {~eq_3_s2 & h_hit_s2, eq_3_s2 ? 7'd0 : 7'd0, {7{eq_3_s2}} & hit_49_s2[23:17], eq_3_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:74
-  wire [31:0] mux_10_s2 = {~{8{eq_2_s2}} & mux_9_s2[31:24], eq_2_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:74
-  wire [23:0] mux_11_s2 = {{7{eq_3_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_3_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : hit_114_s2};  // units/shading.h:153
-  wire [23:0] mux_12_s2 = eq_2_s2 ? hit_25_s2 : mux_11_s2;  // units/shading.h:153
+  wire eq_1_s2 = word_s2 == 2'd0;  // units/shading.h:84
+  wire eq_2_s2 = word_s2 == 2'd1;  // units/shading.h:85
+  wire [31:0] mux_9_s2 = {~eq_2_s2 & h_hit_s2, eq_2_s2 ? 7'd0 : 7'd0, {7{eq_2_s2}} & hit_49_s2[23:17], eq_2_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:66
+  wire [31:0] w_place_s2 = {~{8{eq_1_s2}} & mux_9_s2[31:24], eq_1_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:66
+  wire [19:0] mul_4_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:57
+  wire [23:0] mux_10_s2 = {{7{eq_2_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_2_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : h_triangle_s2};  // units/shading.h:84
+  wire [23:0] mux_11_s2 = eq_1_s2 ? h_u_s2 : mux_10_s2;  // units/shading.h:84
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -175,7 +175,6 @@ module shading #(
   reg  position_0_s3;
   reg  [8:0] position_1_s3;
   reg  lt_2_s3;
-  reg  [19:0] mul_1_s3;
   reg  lt_3_s3;
   reg  [0:0] not_1_s3;
   reg  lt_4_s3;
@@ -183,8 +182,9 @@ module shading #(
   reg  [7:0] hit_147_s3;
   reg  [7:0] hit_139_s3;
   reg  [7:0] hit_131_s3;
-  reg  [31:0] mux_10_s3;
-  reg  [23:0] mux_12_s3;
+  reg  [31:0] w_place_s3;
+  reg  [19:0] mul_4_s3;
+  reg  [23:0] mux_11_s3;
   reg  j_last_s3;
   always @(posedge clk_i) begin
     valid_s3 <= rst_ni && valid_s2;
@@ -195,7 +195,6 @@ module shading #(
     position_0_s3 <= position_0_s2;
     position_1_s3 <= position_1_s2;
     lt_2_s3 <= lt_2_s2;
-    mul_1_s3 <= mul_1_s2;
     lt_3_s3 <= lt_3_s2;
     not_1_s3 <= not_1_s2[0];
     lt_4_s3 <= lt_4_s2;
@@ -203,18 +202,19 @@ module shading #(
     hit_147_s3 <= hit_147_s2;
     hit_139_s3 <= hit_139_s2;
     hit_131_s3 <= hit_131_s2;
-    mux_10_s3 <= mux_10_s2;
-    mux_12_s3 <= mux_12_s2;
+    w_place_s3 <= w_place_s2;
+    mul_4_s3 <= mul_4_s2;
+    mux_11_s3 <= mux_11_s2;
     j_last_s3 <= j_last_s2;
   end
   wire or_1_s3 = job_0_s3 | position_0_s3;  // units/shading_tokens.h:79
   wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_still) & lt_2_s3;  // units/shading.h:55
-  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:57
   wire [8:0] mux_6_s3 = {~not_1_s3 & mux_5_s3[8], not_1_s3 ? mux_5_s3[8:1] : mux_5_s3[7:0]};  // units/colour.h:24
   wire [8:0] mux_7_s3 = ~{9{lt_4_s3}} & mux_6_s3;  // units/colour.h:43
   wire [8:0] mux_8_s3 = {~lt_3_s3 | mux_7_s3[8], {8{lt_3_s3}} & mux_7_s3[7:0]};  // units/colour.h:43
-  wire [19:0] add_1_s3 = pixel_s3 + frame_288_still;  // units/shading.h:67
-  wire [19:0] sub_1_s3 = {pixel_s3[17:0], 2'd0} - pixel_s3;  // units/shading.h:72
+  wire [19:0] pixel_s3 = mul_4_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:57
+  wire [19:0] w_pixel_s3 = pixel_s3 + frame_288_still;  // units/shading.h:68
+  wire [19:0] sub_1_s3 = {pixel_s3[17:0], 2'd0} - pixel_s3;  // units/shading.h:65
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -227,10 +227,10 @@ module shading #(
   reg  [8:0] mux_8_s4;
   reg  [7:0] hit_139_s4;
   reg  [7:0] hit_131_s4;
-  reg  [19:0] add_1_s4;
+  reg  [31:0] w_place_s4;
+  reg  [19:0] w_pixel_s4;
   reg  [19:0] sub_1_s4;
-  reg  [31:0] mux_10_s4;
-  reg  [23:0] mux_12_s4;
+  reg  [23:0] mux_11_s4;
   reg  j_last_s4;
   always @(posedge clk_i) begin
     valid_s4 <= rst_ni && valid_s3;
@@ -243,62 +243,62 @@ module shading #(
     mux_8_s4 <= mux_8_s3;
     hit_139_s4 <= hit_139_s3;
     hit_131_s4 <= hit_131_s3;
-    add_1_s4 <= add_1_s3;
+    w_place_s4 <= w_place_s3;
+    w_pixel_s4 <= w_pixel_s3;
     sub_1_s4 <= sub_1_s3;
-    mux_10_s4 <= mux_10_s3;
-    mux_12_s4 <= mux_12_s3;
+    mux_11_s4 <= mux_11_s3;
     j_last_s4 <= j_last_s3;
   end
-  wire [15:0] mul_2_s4 = hit_147_s4 * mux_8_s4;  // units/colour.h:43
-  wire [15:0] mul_3_s4 = mux_8_s4 * hit_139_s4;  // units/colour.h:43
-  wire [15:0] mul_4_s4 = mux_8_s4 * hit_131_s4;  // units/colour.h:43
-  wire [19:0] at_s4 = sub_1_s4 + {18'd0, word_s4};  // units/shading.h:72
-  wire and_1_s4 = inside_s4 & frame_320_still;
-  wire and_2_s4 = inside_s4 & (word_s4 == {1'd0, job_0_s4});
+  wire [15:0] mul_1_s4 = hit_147_s4 * mux_8_s4;  // units/colour.h:43
+  wire [15:0] mul_2_s4 = mux_8_s4 * hit_139_s4;  // units/colour.h:43
+  wire [15:0] mul_3_s4 = mux_8_s4 * hit_131_s4;  // units/colour.h:43
+  wire w_has_hit_s4 = inside_s4 & frame_320_still;  // units/shading.h:62
+  wire and_1_s4 = inside_s4 & (word_s4 == {1'd0, job_0_s4});
+  wire [19:0] w_hit_s4 = sub_1_s4 + {18'd0, word_s4};  // units/shading.h:65
 
   // ---- stage 5 ----
   reg valid_s5;
   reg  [4:0] j_job_packet_s5;
   reg  h_hit_s5;
+  reg  [15:8] mul_1_s5;
   reg  [15:8] mul_2_s5;
   reg  [15:8] mul_3_s5;
-  reg  [15:8] mul_4_s5;
-  reg  [19:0] add_1_s5;
-  reg  and_2_s5;
+  reg  and_1_s5;
+  reg  [19:0] w_pixel_s5;
   reg  j_last_s5;
   always @(posedge clk_i) begin
     valid_s5 <= rst_ni && valid_s4;
     j_job_packet_s5 <= j_job_packet_s4;
     h_hit_s5 <= h_hit_s4;
+    mul_1_s5 <= mul_1_s4[15:8];
     mul_2_s5 <= mul_2_s4[15:8];
     mul_3_s5 <= mul_3_s4[15:8];
-    mul_4_s5 <= mul_4_s4[15:8];
-    add_1_s5 <= add_1_s4;
-    and_2_s5 <= and_2_s4;
+    and_1_s5 <= and_1_s4;
+    w_pixel_s5 <= w_pixel_s4;
     j_last_s5 <= j_last_s4;
   end
-  wire [31:0] colour_s5 = {~{8{h_hit_s5}} & config_background_still[31:24], h_hit_s5 ? {mul_2_s5, mul_3_s5, mul_4_s5} : config_background_still[23:0]};
+  wire [31:0] colour_s5 = {~{8{h_hit_s5}} & config_background_still[31:24], h_hit_s5 ? {mul_1_s5, mul_2_s5, mul_3_s5} : config_background_still[23:0]};  // units/shading.h:58
 
   // ---- state, rows and tokens written ----
+  assign hit_en_o = valid_s0;
+  assign hit_addr_o = {j_job_packet_s0, job_1_s0, job_0_s0};
+  assign position_en_o = valid_s0;
+  assign position_addr_o = j_job_packet_s0;
   hls_fifo #(.WIDTH(5), .DEPTH(FREE_DEPTH), .MARGIN(FREE_BOUNDED ? 0 : 5),
     .BOUNDED(FREE_BOUNDED)) free_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s5 && j_last_s5), .ready_o(free_room),
     .data_i(j_job_packet_s5),
     .valid_o(free_valid_o), .ready_i(free_ready_i), .data_o(free_data_o));
-  assign hit_en_o = valid_s0;
-  assign hit_addr_o = {j_job_packet_s0, job_1_s0, job_0_s0};
-  assign position_en_o = valid_s0;
-  assign position_addr_o = j_job_packet_s0;
-  assign bank_0_en_o = valid_s5 && and_2_s5;
-  assign bank_0_addr_o = add_1_s5;
+  assign bank_0_en_o = valid_s5 && and_1_s5;
+  assign bank_0_addr_o = w_pixel_s5;
   assign bank_0_data_o = colour_s5;
-  assign bank_1_en_o = valid_s4 && and_1_s4;
-  assign bank_1_addr_o = at_s4;
-  assign bank_1_data_o = mux_10_s4;
-  assign bank_2_en_o = valid_s4 && and_1_s4;
-  assign bank_2_addr_o = at_s4;
-  assign bank_2_data_o = {8'd0, mux_12_s4};
+  assign bank_1_en_o = valid_s4 && w_has_hit_s4;
+  assign bank_1_addr_o = w_hit_s4;
+  assign bank_1_data_o = w_place_s4;
+  assign bank_2_en_o = valid_s4 && w_has_hit_s4;
+  assign bank_2_addr_o = w_hit_s4;
+  assign bank_2_data_o = {8'd0, mux_11_s4};
 
   wire unused = &{1'b0,
     frame_i[63:0],
@@ -307,9 +307,9 @@ module shading #(
     frame_i[319:308],
     frame_i[511:321],
     job_data_i[8:5],
+    mul_1_s4[7:0],
     mul_2_s4[7:0],
-    mul_3_s4[7:0],
-    mul_4_s4[7:0]};
+    mul_3_s4[7:0]};
 
 endmodule
 

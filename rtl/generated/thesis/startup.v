@@ -49,7 +49,7 @@ module startup #(
   wire [4:0] number_0_s0 = number_data_i[4:0];
   wire [3:0] number_5_s0 = number_data_i[8:5];
   wire number_9_s0 = number_data_i[9];
-  wire not_1_s0 = ~number_9_s0;  // units/startup.h:35
+  wire not_1_s0 = ~number_9_s0;  // units/startup.h:56
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(5), .DEPTH(FREE_DEPTH), .MARGIN(FREE_BOUNDED ? 0 : 0),
