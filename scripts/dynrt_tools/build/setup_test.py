@@ -136,7 +136,7 @@ class Scripts(testing.InFolder):
         ):
             result = self.run_script(script, "--help")
             self.assertEqual(result.returncode, 0, result.stderr)
-            listed = result.stdout.partition("12 or 13 (as root or with sudo):\n")[2]
+            listed = result.stdout.partition("(as root or with sudo):\n")[2]
             listed = listed.partition("\nscripts/packages.txt")[0]
             self.assertEqual(listed.split(), packages, script)
 

@@ -76,6 +76,7 @@ class Called(testing.InFolder):
 
     def changed(self, old: str, new: str) -> pathlib.Path:
         """The record with another text."""
+        self.assertIn(old, self.kept.read_text("utf-8"))
         self.kept.write_text(self.kept.read_text("utf-8").replace(old, new), "utf-8")
         return self.kept
 
@@ -137,7 +138,11 @@ class Called(testing.InFolder):
             ('"sum"', '"total"', "has no unit 'total' of the configuration 'thesis'"),
             ("ecp5-85", "virtex2-6000", "hlsc has no delay model of 'virtex2-6000'"),
             ('"copies": 1', '"copies": 2', "no record has 3 seeds or more that missed the clock"),
-            ("125.0", "100.0", "make one with 'scripts/place UNIT --ask-mhz MHZ --record FILE'"),
+            (
+                '"asked_mhz": 125',
+                '"asked_mhz": 100',
+                "make one with 'scripts/place UNIT --ask-mhz MHZ --record FILE'",
+            ),
         ):
             self.kept.write_text(text, "utf-8")
             self.fails(said, self.changed(old, new))
