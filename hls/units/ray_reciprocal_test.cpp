@@ -26,6 +26,7 @@ class RayReciprocals : public testing::Test {
     traced.job.ray.active = RayMask<C>(0b1011);
     traced.job.ray.root = 1234;
     traced.job.ray.in_object = {kOrigin, direction};
+    traced.job.ray.last = ray == kRays<C> - 1;
     for (unsigned axis = 0; axis <= traced.job.repeat.to_u64(); ++axis) {
       traced.index = RepeatCount<C>::from(axis);
       traced.last = axis == traced.job.repeat.to_u64();

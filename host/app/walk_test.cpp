@@ -131,19 +131,19 @@ TEST_F(Walks, GoOnAsIfTheyHadNotStopped) {
   expect_scene(other, prepared(), 3);
 }
 
-/// Balls in one place, which are apart only later.
+/// Boxes in one place, which are apart only later.
 constexpr char kScattering[] = R"({{
-  "objects": [{{"name": "b", "parts": [{{"generate": "sphere", "radius": 1, "subdivisions": 2, "colour": [1, 1, 1]}}]}}],
+  "objects": [{{"name": "b", "parts": [{{"generate": "box", "from": [-1, -1, -1], "to": [1, 1, 1], "colour": [1, 1, 1]}}]}}],
   "instances": [{}],
   "camera": {{"position": [0, 0, 99], "look_at": [0, 0, 0], "field_of_view": 40}}
 }})";
 
 std::string scattering() {
   std::string instances;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 729; ++i) {
     instances += fmt::format(
-        R"({}{{"object": "b", "name": "b{}", "motion": {{"keys": [{{"time": 0}}, {{"time": 4, "position": [{}, 0, 0]}}]}}}})",
-        i == 0 ? "" : ", ", i, 8 * i);
+        R"({}{{"object": "b", "name": "b{}", "motion": {{"keys": [{{"time": 0}}, {{"time": 4, "position": [{}, {}, {}]}}]}}}})",
+        i == 0 ? "" : ", ", i, 8 * (i % 9), 8 * (i / 9 % 9), 8 * (i / 81));
   }
   return fmt::format(kScattering, instances);
 }
@@ -153,7 +153,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   Prepared scene = prepared(path("t.json"));
   CoreInfo& core = scene.objects.core;
   core.made_for = "t";
-  core.stack_depth = 0;
+  core.stack_depth = 8;  // of the tree of a box
   FakeBoard board(core);
   // There and back again.
   WalkPlan plan(scene.scene, 3, {}, {});
@@ -163,7 +163,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   EXPECT_THAT([&] { walker.render_frame(1, {}); },
               ThrowsMessage<Exceeded>(
                   testing::AllOf(HasSubstr("frame 1 of 3 needs stack_depth "),
-                                 HasSubstr("and configuration small, made for 't', has 0"))));
+                                 HasSubstr("and configuration small, made for 't', has 8"))));
   EXPECT_NO_THROW(walker.render_frame(2, {}));
   // A core that was made for no scene renders them all, with a shallower tree if it must.
   core.made_for = small_core().made_for;

@@ -135,8 +135,17 @@ TEST(Fast, ReflectedRaysMayCross) {
   };
   const Frame frame = frame_of(board_of<Mirrors>());
   expect_same_picture(frame_of(board_of<Splits>()), frame, "lamps", "split", "remember");
-  const Comparison thesis = compare(frame, frame_of(board_of<Whitted>()));
-  EXPECT_LT(thesis.different_hits, thesis.pixels / 200);
+  // The thesis's datapath rounds otherwise, so distances differ; the triangles hardly do.
+  const Frame thesis = frame_of(board_of<Whitted>());
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < frame.hits.size(); ++i) {
+    others += frame.hits[i].hit != thesis.hits[i].hit ||
+              frame.hits[i].triangle != thesis.hits[i].triangle;
+  }
+  EXPECT_LT(others, frame.hits.size() / 200);
+  const Comparison pictures = compare(frame, thesis);
+  EXPECT_LT(pictures.different_pixels, pictures.pixels / 4)
+      << "reflections differ in more than rounding";
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Split : config::whitted {
 
 TEST(OneLevel, LightAndReflectionsTakeOneLevelToo) {
   expect_as_general<OneLevel<config::whitted>>("whitted", "lamps", merge);
-  expect_as<OneLevel<Split>>(*board_of<Split>(), "split", "lamps", merge);
+  expect_as<OneLevel<Split>>(*board_of<Split>("split"), "split", "lamps", merge);
 }
 
 TEST(OneLevel, AllElseMayBeLeftOutToo) {
