@@ -152,9 +152,10 @@ TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
   expect_error(render_on("ulx3s") + " --config fast",
                "board ulx3s holds configuration fast_ulx3s, not fast; name the one that it holds, "
                "or leave --config out");
-  expect_error(render_on("serial:any") + " --config thesis",
-               "board serial:any can hold configuration fast_ulx3s or fast_port, not thesis; name "
-               "what it holds, or nothing");
+  expect_error(
+      render_on("serial:any") + " --config thesis",
+      "board serial:any holds configuration fast_ulx3s or fast_port, not thesis; name the one "
+      "that it holds, or leave --config out");
 }
 
 TEST_F(Program, RefusesToShowAPictureBesideThatOfTheBoard) {

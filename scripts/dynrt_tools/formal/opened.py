@@ -91,7 +91,8 @@ class Stages:
 
     def __init__(self, text: str) -> None:
         body = re.sub(r"//[^\n]*", "", text[text.index("\n);\n") :])
-        self.statements = [s.strip() for s in body.split(";")]
+        # The end of a block of statements stands before the next one.
+        self.statements = [re.sub(r"^(end\s+)+", "", s.strip()) for s in body.split(";")]
         self.meanings = dict(
             (m[1], m[2])
             for s in self.statements
