@@ -73,7 +73,7 @@ export class ChoicesPanel {
     const name = `m${bits}${suffix}`;
     const {errors} = this.offers;
     for (const report of [errors[this.choices.configuration], ...Object.values(errors)]) {
-      const row = report?.variants.find(({variant}) => variant === name);
+      const row = report?.rows.find(({variant}) => variant === name);
       if (row) return row;
     }
     return null;
@@ -106,11 +106,11 @@ export class ChoicesPanel {
         : shown(row[name]);
     return [
       make("h2", {}, "Effect of the number format and the configuration"),
-      make("p", {class: "faint"}, `From the last error reports: ${report.scene} at ${report.size} on ` +
+      make("p", {class: "faint"}, `From the last error reports: ${report.rows[0].scene} at ${report.size} on ` +
            `${report.device}; in brackets: the share of the chosen core.`),
       table(["", "bits", "wrong hits", "LUT", "ms a frame"], rows.map(({name, bits, row}) =>
           [name, bits, `${(100 * row["primary.wrong_share"]).toPrecision(3)} %`, ratio(row, "LUT"),
-           ratio(row, "frame, ms")])),
+           ratio(row, "frame_ms")])),
     ];
   }
 
